@@ -71,12 +71,12 @@ pub fn of_description(
     let functions = compiled
         .functions
         .iter()
-        .map(|emittable| (emittable.function.name(), emittable.operations))
+        .map(|emittable| (emittable.request.name(), emittable.operations))
         .collect();
     let of_frames = compiled.functions.iter();
-    let of_frames = of_frames.filter(|emittable| emittable.function.is_of_frames());
+    let of_frames = of_frames.filter(|emittable| emittable.request.is_of_frames());
     let asked_of_frames = of_frames
-        .map(|emittable| (emittable.function.text(), emittable.operations))
+        .map(|emittable| (emittable.request.text(), emittable.operations))
         .collect();
     let mut warnings = checked.warnings;
     warnings.extend(compile::warnings(tree, &compiled));

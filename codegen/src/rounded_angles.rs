@@ -79,6 +79,6 @@ fn compiled(description: &Description, options: &Options) -> Option<Vec<(String,
     let is_small = |tree: &Tree| tree.n_speeds.max(tree.n_parts()) <= COUNTED;
     let compiled = is_small(&tree).then(|| compile::compile(&tree, options))?;
     let functions = compiled.ok()?.functions.into_iter();
-    let functions = functions.map(|one| (one.function.name(), one.operations));
+    let functions = functions.map(|one| (one.request.name(), one.operations));
     Some(functions.collect())
 }

@@ -22,34 +22,34 @@ const MOST_CACHED: usize = 3_500;
 /// The cheapest plan that was found for the function, and what it derives.
 ///
 /// What is differentiated is planned by its values, and then by the cheaper way to differentiate them.
-pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
+pub fn cheapest(plans: &Plans<'_>, request: &Request) -> Planned {
     let &Plans { tree, without, .. } = plans;
-    if !function.differentiates() {
-        let plan = plans.of_values(function);
-        let ways = with_matrices_apart(function, vec![plan]);
-        let best = fewest(tree, function, ways);
-        return if function.inverts() {
-            in_lockstep(plans, function, best)
+    if !request.differentiates() {
+        let plan = plans.of_values(request);
+        let ways = with_matrices_apart(request, vec![plan]);
+        let best = fewest(tree, request, ways);
+        return if request.inverts() {
+            in_lockstep(plans, request, best)
         } else {
             best
         };
     }
     let forward = plans
-        .of_values(&function.values())
+        .of_values(&request.values())
         .with(Technique::DirectDerivatives, false)
         .with(Technique::Reverse, false);
-    let mut ways = sweeps::ways(tree, function, Formulation::Recursive, without, &forward);
-    if !without.contains(&Technique::DirectDerivatives) && function.differentiates_directly() {
+    let mut ways = sweeps::ways(tree, request, Formulation::Recursive, without, &forward);
+    if !without.contains(&Technique::DirectDerivatives) && request.differentiates_directly() {
         // Most of what they cost are columns such as those of the Coriolis matrix.
         let columns = Request::parse("coriolis_matrix").expect("cheapest: the catalogue has it");
         let columns = plans.of_values(&columns);
-        let swept = if function.sweeps_beside_direct() {
+        let swept = if request.sweeps_beside_direct() {
             ways.clone()
         } else {
             vec![forward.clone()]
         };
-        if function.differentiates_accelerations_twice()
-            && function.n_second_operations(tree, false) > MOST_NODES
+        if request.differentiates_accelerations_twice()
+            && request.n_second_operations(tree, false) > MOST_NODES
         {
             // Sweeps through the solver would take long, and are cheaper for small systems at most.
             ways.clear();
@@ -60,22 +60,22 @@ pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
             ways.extend([&way, &columns].map(|plan| plan.with(Technique::DirectDerivatives, true)));
         }
     }
-    let best = fewest(tree, function, with_matrices_apart(function, ways));
+    let best = fewest(tree, request, with_matrices_apart(request, ways));
     if best.plan.uses(Technique::DirectDerivatives) {
-        in_lockstep(plans, function, best)
+        in_lockstep(plans, request, best)
     } else {
         best
     }
 }
 
-fn fewest(tree: &Tree, function: &Request, ways: Vec<Plan>) -> Planned {
-    let best = sweeps::fewest(tree, function, Formulation::Recursive, ways, usize::MAX);
+fn fewest(tree: &Tree, request: &Request, ways: Vec<Plan>) -> Planned {
+    let best = sweeps::fewest(tree, request, Formulation::Recursive, ways, usize::MAX);
     best.expect("cheapest: one way has the least")
 }
 
 /// These, and the same with each matrix in its own way, where it may be read off what another part of a joined function finds.
-fn with_matrices_apart(function: &Request, mut ways: Vec<Plan>) -> Vec<Plan> {
-    if function.may_read_off() {
+fn with_matrices_apart(request: &Request, mut ways: Vec<Plan>) -> Vec<Plan> {
+    if request.may_read_off() {
         let apart: Vec<Plan> = ways
             .iter()
             .map(|way| way.with_matrices_apart(true))
@@ -86,7 +86,7 @@ fn with_matrices_apart(function: &Request, mut ways: Vec<Plan>) -> Vec<Plan> {
 }
 
 /// The plan with columns in lockstep where a long function is a good deal shorter with it and is run in fewer steps, or as it is.
-fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Planned) -> Planned {
+fn in_lockstep(plans: &Plans<'_>, request: &Request, one_by_one: Planned) -> Planned {
     let &Plans { tree, without, .. } = plans;
     if without.contains(&Technique::Lockstep) {
         return one_by_one;
@@ -98,26 +98,29 @@ fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Planned) -> Pl
     // As if nothing else was in the module.
     let program = |planned: &Planned| {
         let (derived, mut preparation) = (&planned.derived, Preparation::default());
-        pipeline::program(tree, function, derived, &mut preparation, Lowering::DEFAULT)
+        pipeline::program(tree, request, derived, &mut preparation, Lowering::DEFAULT)
     };
     let with = |plan| {
-        let derived = Planned::new(tree, function, Formulation::Recursive, plan);
-        let program = program(&derived)?;
-        // A tenth more operations at most, and a fifth less text.
+        let planned = Planned::new(tree, request, Formulation::Recursive, plan);
+        // A tenth more operations at most, which are counted first, and a fifth less text.
+        if 10 * operations(&planned.derived).total() > 11 * least {
+            return None;
+        }
+        let program = program(&planned)?;
         let is_short = 5 * program.written() <= 4 * least;
-        let may = is_short && 10 * operations(&derived.derived).total() <= 11 * least;
-        may.then(|| (program.steps(), derived))
+        is_short.then(|| (program.steps(), planned))
     };
     let lockstep = one_by_one.plan.with(Technique::Lockstep, true);
-    let twice = function.differentiates_accelerations();
+    let twice = request.differentiates_accelerations();
     let twice = twice.then(|| lockstep.with_calls_twice(true));
+    let others = [Some(lockstep), twice].into_iter().flatten();
+    let others: Vec<(usize, Planned)> = others.filter_map(with).collect();
+    if others.is_empty() {
+        return one_by_one;
+    }
     let Some(as_it_is) = program(&one_by_one) else {
         return one_by_one;
     };
-    let others = [Some(lockstep), twice]
-        .into_iter()
-        .flatten()
-        .filter_map(with);
     let all = std::iter::once((as_it_is.steps(), one_by_one)).chain(others);
     let best = all.min_by_key(|(steps, _)| *steps);
     best.expect("cheapest: one is as it is").1

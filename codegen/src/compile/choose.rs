@@ -29,9 +29,9 @@ pub struct Choice {
 
 /// The function in the formulation that is wanted, where it has it, else in that with the fewest operations: what is
 /// emitted.
-pub fn choose(plans: &Plans<'_>, function: &Request, wanted: options::Formulation) -> Choice {
-    let formulations = function.formulations();
-    let of = |formulation| of_formulation(plans, function, formulation);
+pub fn choose(plans: &Plans<'_>, request: &Request, wanted: options::Formulation) -> Choice {
+    let formulations = request.formulations();
+    let of = |formulation| of_formulation(plans, request, formulation);
     let wanted = wanted
         .wanted()
         .filter(|wanted| formulations.contains(wanted));
@@ -40,49 +40,49 @@ pub fn choose(plans: &Plans<'_>, function: &Request, wanted: options::Formulatio
     }
     let recursive = of(Formulation::Recursive);
     let count = operations(&recursive.derived).total();
-    let terms = function.literal_terms(plans.tree);
+    let terms = request.literal_terms(plans.tree);
     // On a large tree the literal sums alone would take longer than all the rest, and so would second derivatives of them.
     if terms > MANY_TERMS.max(count)
-        || function.is_second_derivative()
-        || function.differentiates() && values_cost_more(plans.tree, function, count)
+        || request.is_second_derivative()
+        || request.differentiates() && values_cost_more(plans.tree, request, count)
     {
         return recursive;
     }
-    of_at_most(plans, function, Formulation::Notes, count).unwrap_or(recursive)
+    of_at_most(plans, request, Formulation::Notes, count).unwrap_or(recursive)
 }
 
 /// True where the notes' values are long, and need more operations alone than this: their derivatives hardly ever need fewer.
-fn values_cost_more(tree: &Tree, function: &Request, count: usize) -> bool {
-    let values = function.values();
+fn values_cost_more(tree: &Tree, request: &Request, count: usize) -> bool {
+    let values = request.values();
     let values = values.derive(tree, Formulation::Notes, &Plan::plain(tree));
     values.graph.len() > LONG && operations(&values).total() > count
 }
 
 /// The function in this formulation, by its cheapest plan.
-pub fn of_formulation(plans: &Plans<'_>, function: &Request, formulation: Formulation) -> Choice {
-    let choice = of_at_most(plans, function, formulation, usize::MAX);
+pub fn of_formulation(plans: &Plans<'_>, request: &Request, formulation: Formulation) -> Choice {
+    let choice = of_at_most(plans, request, formulation, usize::MAX);
     choice.expect("choose: some plan is the cheapest")
 }
 
 /// The same; `None` where it needs more than `most` operations.
 fn of_at_most(
     plans: &Plans<'_>,
-    function: &Request,
+    request: &Request,
     formulation: Formulation,
     most: usize,
 ) -> Option<Choice> {
     let &Plans { tree, without, .. } = plans;
-    let best = if function.takes_plan(formulation) {
-        let best = cheapest(plans, function);
+    let best = if request.takes_plan(formulation) {
+        let best = cheapest(plans, request);
         (operations(&best.derived).total() <= most).then_some(best)
     } else {
         let plan = Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor));
-        let ways = if function.differentiates() {
-            sweeps::ways(tree, function, formulation, without, &plan)
+        let ways = if request.differentiates() {
+            sweeps::ways(tree, request, formulation, without, &plan)
         } else {
             vec![plan]
         };
-        sweeps::fewest(tree, function, formulation, ways, most)
+        sweeps::fewest(tree, request, formulation, ways, most)
     };
     best.map(|best| Choice {
         formulation,

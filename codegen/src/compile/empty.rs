@@ -8,7 +8,7 @@ pub(crate) fn warnings(tree: &Tree, compiled: &Compiled) -> Vec<Diagnostic> {
     if !tree.parameters.is_empty() {
         return Vec::new();
     }
-    let functions = compiled.functions.iter().map(|one| &one.function);
+    let functions = compiled.functions.iter().map(|one| &one.request);
     let empty = functions.filter(|function| function.is_by_parameters());
     let warning = |text: String| {
         Diagnostic::warning(format!(

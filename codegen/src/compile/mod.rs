@@ -53,7 +53,7 @@ pub struct Compiled {
 #[derive(Clone, Debug)]
 pub struct Emittable {
     /// What was asked for.
-    pub function: Request,
+    pub request: Request,
     /// How the sums over bodies are associated.
     pub formulation: Formulation,
     /// The program; its inputs may be prepared values.
@@ -76,27 +76,27 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     let requests = options.requests(tree).map_err(Error::Requests)?;
     check_size(tree, &requests, options)?;
     let plans = Plans::new(tree, &options.without);
-    let choices = threads::map(&requests, |function| {
-        choose(&plans, function, options.formulation)
+    let choices = threads::map(&requests, |request| {
+        choose(&plans, request, options.formulation)
     });
     let lowering = Lowering {
         side_by_side: !options.without.contains(&Technique::Lockstep),
         fuses: options.fma,
     };
-    for (function, choice) in requests.into_iter().zip(choices) {
+    for (request, choice) in requests.into_iter().zip(choices) {
         let Choice {
             formulation,
             derived,
         } = choice;
-        let name = function.name();
-        let program = pipeline::program(tree, &function, &derived, &mut preparation, lowering);
+        let name = request.name();
+        let program = pipeline::program(tree, &request, &derived, &mut preparation, lowering);
         let Some(program) = program else {
             return Err(Error::Unrepresentable { what: name });
         };
         verify(&program, &name)?;
         let operations = program.operations();
         functions.push(Emittable {
-            function,
+            request,
             formulation,
             program,
             operations,

@@ -15,20 +15,20 @@ use crate::{
 /// What was derived by a plan, as it would be emitted.
 pub(super) fn finished(
     tree: &Tree,
-    function: &Request,
+    request: &Request,
     plan: &Plan,
     mut derived: Derived,
 ) -> Derived {
     // The pattern of a compact output follows from the tree: nothing to factor across columns.
-    if plan.uses(Technique::Factor) && function.compact().is_none() {
+    if plan.uses(Technique::Factor) && request.compact().is_none() {
         (derived.graph, derived.roots) = factor::run(derived.graph, derived.roots);
     }
-    given_sines(tree, function, derived)
+    given_sines(tree, request, derived)
 }
 
 /// A function with sines and cosines as inputs where they are to be given.
-pub(super) fn given_sines(tree: &Tree, function: &Request, mut derived: Derived) -> Derived {
-    if function.is_at_sin_cos() {
+pub(super) fn given_sines(tree: &Tree, request: &Request, mut derived: Derived) -> Derived {
+    if request.is_at_sin_cos() {
         let angles = tree.angles();
         (derived.graph, derived.roots) = sines::run(&derived.graph, &derived.roots, &angles);
     }
@@ -55,19 +55,19 @@ impl Lowering {
 /// The program of a function that is finished; what depends on parameters alone goes to the preparation. `None` where numbers overflow.
 pub(super) fn program(
     tree: &Tree,
-    function: &Request,
+    request: &Request,
     derived: &Derived,
     preparation: &mut Preparation,
     lowering: Lowering,
 ) -> Option<Program> {
     let Derived { graph, roots, .. } = derived;
-    let name = function.name();
+    let name = request.name();
     let (hoisted, roots) = hoist::run(graph, roots, &name, preparation);
     if graph.overflowed() || hoisted.overflowed() {
         return None;
     }
     let program = if lowering.side_by_side {
-        branches::flattened(tree, &function.arguments(), &hoisted, &roots)
+        branches::flattened(tree, &request.arguments(), &hoisted, &roots)
     } else {
         program::flatten(&hoisted, &roots)
     };

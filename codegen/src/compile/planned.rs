@@ -27,20 +27,20 @@ impl Planned {
     /// The function in this formulation by this plan.
     pub(super) fn new(
         tree: &Tree,
-        function: &Request,
+        request: &Request,
         formulation: Formulation,
         plan: Plan,
     ) -> Self {
-        let derived = by_plan(tree, function, formulation, &plan);
+        let derived = by_plan(tree, request, formulation, &plan);
         Self { plan, derived }
     }
 }
 
 /// The function in this formulation by this plan, as it would be emitted: its sums factored, and sines and cosines inputs
 /// where they are to be given.
-pub fn by_plan(tree: &Tree, function: &Request, formulation: Formulation, plan: &Plan) -> Derived {
-    let derived = function.derive(tree, formulation, plan);
-    pipeline::finished(tree, function, plan, derived)
+pub fn by_plan(tree: &Tree, request: &Request, formulation: Formulation, plan: &Plan) -> Derived {
+    let derived = request.derive(tree, formulation, plan);
+    pipeline::finished(tree, request, plan, derived)
 }
 
 /// The operations that are left in the loop.

@@ -37,7 +37,7 @@ const SINE_OF_SEVERAL: usize = 1_000_000;
 const MOST_STARTS: usize = 1_500;
 
 /// The cheapest plan that was found for the function, without the techniques in `without`.
-pub(super) fn plan(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
+pub(super) fn plan(tree: &Tree, request: &Request, without: &BTreeSet<Technique>) -> Plan {
     let mut counts = Counts::new();
     let mut best: Option<Found> = None;
     // Which way inertias are best regrouped depends most on these two.
@@ -48,9 +48,9 @@ pub(super) fn plan(tree: &Tree, function: &Request, without: &BTreeSet<Technique
         &[Technique::Balance, Technique::Slide],
     ];
     let says_something =
-        |start: &&[Technique]| function.reads_inertias() || !start.contains(&Technique::Balance);
+        |start: &&[Technique]| request.reads_inertias() || !start.contains(&Technique::Balance);
     for left_out in starts.into_iter().filter(says_something) {
-        let found = from(tree, function, without, left_out, &mut counts);
+        let found = from(tree, request, without, left_out, &mut counts);
         let is_small = found.n_first <= MOST_STARTS;
         if best.as_ref().is_none_or(|best| found.least < best.least) {
             best = Some(found);
@@ -87,7 +87,7 @@ struct Count {
 /// The search that starts with all techniques but those of `left_out`.
 fn from(
     tree: &Tree,
-    function: &Request,
+    request: &Request,
     without: &BTreeSet<Technique>,
     left_out: &[Technique],
     counts: &mut Counts,
@@ -99,7 +99,7 @@ fn from(
     }
     let mut search = Search {
         tree,
-        function,
+        request,
         counts,
         least: usize::MAX,
         plan: plan.clone(),
@@ -107,7 +107,7 @@ fn from(
         n_asked: 0,
         n_first: 0,
         is_exact: true,
-        sine: if function.parts().len() == 1 {
+        sine: if request.parts().len() == 1 {
             SINE
         } else {
             SINE_OF_SEVERAL
@@ -133,7 +133,7 @@ fn from(
 
 struct Search<'a> {
     tree: &'a Tree,
-    function: &'a Request,
+    request: &'a Request,
     counts: &'a mut Counts,
     /// The count of `plan`.
     least: usize,
@@ -188,16 +188,16 @@ impl Search<'_> {
     }
 
     fn counted(&self, plan: &Plan) -> Count {
-        let &Self { tree, function, .. } = self;
-        let derived = function.derive(tree, Formulation::Recursive, plan);
+        let &Self { tree, request, .. } = self;
+        let derived = request.derive(tree, Formulation::Recursive, plan);
         let n_asked = derived.graph.n_asked();
         let (derived, n_nodes) = if self.is_exact {
-            let derived = finished(tree, function, plan, derived);
+            let derived = finished(tree, request, plan, derived);
             let n_nodes = derived.graph.n_needed(&derived.roots);
             (derived, n_nodes)
         } else {
             let n_nodes = derived.graph.len();
-            (given_sines(tree, function, derived), n_nodes)
+            (given_sines(tree, request, derived), n_nodes)
         };
         let operations = operations(&derived);
         Count {
@@ -230,7 +230,7 @@ impl Search<'_> {
     /// The inverse column by column from articulated bodies.
     fn try_solving_by_columns(&mut self) {
         let carriers = Technique::Carriers;
-        if self.function.inverts() && self.plan.uses(carriers) {
+        if self.request.inverts() && self.plan.uses(carriers) {
             self.try_one(self.plan.with(carriers, false));
         }
     }
@@ -306,12 +306,12 @@ impl Search<'_> {
     fn says_something(&self, technique: Technique) -> bool {
         match technique {
             Technique::Regroup | Technique::Balance | Technique::SecondMoments => {
-                self.function.reads_inertias()
+                self.request.reads_inertias()
             }
             Technique::Articulated => self.factors_have_a_chance(),
-            Technique::LinkAxes | Technique::Fall => self.function.solves(),
-            Technique::Carriers => self.function.inverts(),
-            Technique::Inward => self.function.is_of_frames(),
+            Technique::LinkAxes | Technique::Fall => self.request.solves(),
+            Technique::Carriers => self.request.inverts(),
+            Technique::Inward => self.request.is_of_frames(),
             Technique::DirectDerivatives | Technique::Reverse | Technique::Lockstep => false,
             Technique::Slide
             | Technique::Turn
@@ -323,11 +323,11 @@ impl Search<'_> {
 
     /// True where the count depends on how a plan regroups inertias.
     fn regroups(&self, plan: &Plan) -> bool {
-        self.function.reads_inertias() && plan.uses(Technique::Regroup)
+        self.request.reads_inertias() && plan.uses(Technique::Regroup)
     }
 
     /// Where something is solved for, and `L^T D L` would not alone need twice as much.
     fn factors_have_a_chance(&self) -> bool {
-        self.function.solves() && self.function.factorising(self.tree) <= 2 * self.least
+        self.request.solves() && self.request.factorising(self.tree) <= 2 * self.least
     }
 }

@@ -25,7 +25,7 @@ const MOST_FACTORED: usize = 2;
 /// The plan by each way that has a chance to be the cheaper one, forward first.
 pub(super) fn ways(
     tree: &Tree,
-    function: &Request,
+    request: &Request,
     formulation: Formulation,
     without: &BTreeSet<Technique>,
     plan: &Plan,
@@ -38,14 +38,8 @@ pub(super) fn ways(
     let Rows {
         forward: of_forward,
         reverse: of_reverse,
-    } = function.swept_rows(tree);
-    let n_nodes = LazyCell::new(|| {
-        function
-            .values()
-            .derive(tree, formulation, plan)
-            .graph
-            .len()
-    });
+    } = request.swept_rows(tree);
+    let n_nodes = LazyCell::new(|| request.values().derive(tree, formulation, plan).graph.len());
     let has_chance =
         |own: usize, other: usize| own <= MOST_TIMES * other || own * *n_nodes <= MOST_NODES;
     let mut plans = Vec::with_capacity(2);
@@ -61,7 +55,7 @@ pub(super) fn ways(
 /// The first of the plans with the fewest operations, and what it derives; `None` where each needs more than `most`.
 pub(super) fn fewest(
     tree: &Tree,
-    function: &Request,
+    request: &Request,
     formulation: Formulation,
     plans: Vec<Plan>,
     most: usize,
@@ -70,11 +64,11 @@ pub(super) fn fewest(
     let mut best = None;
     // The last is the most promising.
     for plan in plans.into_iter().rev() {
-        let derived = function.derive(tree, formulation, &plan);
+        let derived = request.derive(tree, formulation, &plan);
         if operations(&derived).total() > least.saturating_mul(MOST_FACTORED) {
             continue;
         }
-        let derived = finished(tree, function, &plan, derived);
+        let derived = finished(tree, request, &plan, derived);
         let count = operations(&derived).total();
         if count <= least {
             least = count;

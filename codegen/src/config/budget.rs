@@ -44,9 +44,9 @@ fn generated(
     // Every module has it.
     let is_always = name.value == "q_dot";
     let is_asked_for = |functions: &Functions| {
-        let alone = request.alone();
+        let function = request.catalogue_function();
         let mut joined = functions.requests().into_iter();
-        alone.is_some_and(|function| functions.names(function))
+        function.is_some_and(|function| functions.names(function))
             || joined.any(|one| one.place() == request.place())
     };
     if is_always || functions.is_none_or(is_asked_for) {

@@ -16,10 +16,12 @@ mod partials;
 mod reverse;
 mod row;
 mod squares;
+mod sweep;
 mod tangents;
 mod turned;
 
 pub use forward::forward;
 pub use reverse::reverse;
 pub use row::{Row, Seeds};
+pub use sweep::Sweep;
 pub use tangents::tangents;

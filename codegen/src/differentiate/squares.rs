@@ -18,26 +18,31 @@ pub(super) fn squares(graph: &ExprGraph, roots: &[Expr]) -> Vec<bool> {
             _ => false,
         };
     }
-    for root in roots {
-        found[root.node().index()] = false;
+    let mut sums_with: Vec<Vec<NodeId>> = vec![Vec::new(); needed.len()];
+    let mut open: Vec<NodeId> = roots.iter().map(|root| root.node()).collect();
+    for &id in &ids {
+        let node = graph.node(id);
+        let keeps = match node {
+            Node::Mul(factor, _) => graph.binding(factor) != Binding::State,
+            _ => found[id.index()],
+        };
+        if !keeps {
+            open.extend(node.operands());
+        } else if let Node::Add(a, b) = node {
+            for term in [a, b] {
+                sums_with[term.node().index()].push(id);
+            }
+        }
     }
-    // What is taken back may take back what it is a term of, and the other terms of that.
-    let mut before = Vec::new();
-    while before != found {
-        before.clone_from(&found);
-        for &id in ids.iter().rev() {
-            let node = graph.node(id);
-            let keeps = match node {
-                Node::Mul(factor, _) => graph.binding(factor) != Binding::State,
-                _ => found[id.index()],
-            };
-            let is_sum = matches!(node, Node::Add(..));
-            if is_sum && !node.operands().all(|operand| found[operand.index()]) {
-                found[id.index()] = false;
-            }
-            for operand in node.operands().filter(|_| !keeps) {
-                found[operand.index()] = false;
-            }
+    // What is taken back takes back what it is a term of, and, where it is a sum, its own terms.
+    while let Some(id) = open.pop() {
+        if !std::mem::take(&mut found[id.index()]) {
+            continue;
+        }
+        open.append(&mut sums_with[id.index()]);
+        let node = graph.node(id);
+        if matches!(node, Node::Add(..)) {
+            open.extend(node.operands());
         }
     }
     found

@@ -4,10 +4,12 @@ use std::borrow::Cow;
 
 use super::{
     argument::Argument,
-    candidate::{Candidate, Formulation},
+    derivation::{Derivation, EitherWay},
+    formulation::Formulation,
     multiplier::MULTIPLIER,
     shape::{Dimension, Shape},
-    subject::{Subject, View},
+    subject::View,
+    terms::Terms,
     told::{Beside, KnownMatrix, ReadOff},
 };
 use crate::{
@@ -35,8 +37,8 @@ pub struct Function {
     pub outputs: &'static [Output],
     /// True for a function of the default set.
     pub is_default: bool,
-    /// What is solved for along the tree, by factors or by articulated bodies.
-    pub(super) solves_for: Option<Unknown>,
+    /// What of the mass matrix it takes beyond its entries.
+    pub(super) mass_matrix: MassMatrixUse,
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
@@ -52,8 +54,10 @@ pub struct Function {
     /// Lines of documentation: meaning, equation, frame, unit, signs, the aliases people search for. In that of a
     /// function of a frame words in braces stand for what the frame is and how it is seen.
     pub doc: &'static [&'static str],
-    /// The ways to derive it; of two that need as many operations the first is emitted.
-    pub candidates: &'static [Candidate],
+    /// How its values are derived.
+    pub(super) derivation: Derivation,
+    /// How many terms the notes' sums have at least.
+    pub(super) terms: Terms,
 }
 
 /// By each argument that it tells, how the entries of the only output change: rows are these, columns speeds.
@@ -69,7 +73,7 @@ pub(super) struct Jacobians {
 }
 
 /// Forces that accelerations need, which are inputs.
-pub(super) type InverseDynamicsFn = fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>;
+pub(super) type InverseDynamicsFn = EitherWay;
 
 /// What a function is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,12 +86,16 @@ pub enum Of {
     Frames(&'static [View]),
 }
 
-/// What equations of the mass matrix are solved for.
+/// What a function takes of the mass matrix beyond its entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Unknown {
-    /// Accelerations, of given forces.
+pub(super) enum MassMatrixUse {
+    /// Nothing.
+    None,
+    /// Its factors, whatever the plan: articulated bodies have none.
+    Factors,
+    /// Accelerations of given forces, by factors or by articulated bodies.
     Accelerations,
-    /// The inverse of the mass matrix, whole or packed.
+    /// The inverse, whole or packed, by factors or by articulated bodies.
     Inverse,
 }
 
@@ -99,7 +107,7 @@ pub(super) const PLAIN: Function = Function {
     arguments: &[],
     outputs: &[],
     is_default: false,
-    solves_for: None,
+    mass_matrix: MassMatrixUse::None,
     prescribes: false,
     derivatives: None,
     derivatives_tell: &[],
@@ -107,7 +115,8 @@ pub(super) const PLAIN: Function = Function {
     read_off: None,
     inverse_dynamics: None,
     doc: &[],
-    candidates: &[],
+    derivation: Derivation::Notes(|_, _| Vec::new()),
+    terms: Terms::Few,
 };
 
 /// An output of a function.
@@ -150,30 +159,26 @@ impl Output {
 }
 
 impl Function {
-    /// The formulations in which the function can be derived.
-    pub fn formulations(&self) -> Vec<Formulation> {
-        let candidates = self.candidates.iter();
-        candidates.map(|candidate| candidate.formulation).collect()
+    /// The formulations in which the function can be derived; of two that need as many operations the first is emitted.
+    pub fn formulations(&self) -> &'static [Formulation] {
+        self.derivation.formulations()
     }
 
-    /// True where the mass matrix is factorised, whichever way it is derived.
-    pub(super) fn factorises(&self) -> bool {
-        self.candidates.iter().all(|candidate| candidate.factorises)
+    /// True where inertias have a say in which plan is cheapest: how frames move does not depend on them.
+    pub(super) fn reads_inertias(&self) -> bool {
+        match self.derivation {
+            Derivation::Notes(_) | Derivation::Columns(_) => false,
+            Derivation::EitherWay(_) => true,
+            Derivation::OfFrames(_) => self.mass_matrix != MassMatrixUse::None,
+        }
     }
 
-    /// How many terms the notes' sums have at least.
-    pub(super) fn literal_terms(&self, tree: &Tree, subject: Option<&Subject>) -> usize {
-        let mut candidates = self.candidates.iter();
-        let notes = candidates.find(|candidate| candidate.formulation == Formulation::Notes);
-        notes.map_or(0, |candidate| candidate.least_terms(tree, subject))
-    }
-
-    /// The candidate of this formulation, or the first.
-    pub(super) fn candidate(&self, formulation: Formulation) -> &Candidate {
-        let mut candidates = self.candidates.iter();
-        candidates
-            .find(|candidate| candidate.formulation == formulation)
-            .unwrap_or(&self.candidates[0])
+    /// True where accelerations or the inverse of the mass matrix are solved for.
+    pub(super) fn solves(&self) -> bool {
+        match self.mass_matrix {
+            MassMatrixUse::None | MassMatrixUse::Factors => false,
+            MassMatrixUse::Accelerations | MassMatrixUse::Inverse => true,
+        }
     }
 
     /// True where an output has such a dimension.

@@ -5,10 +5,11 @@
 //! model and the options, never on what else is asked for. Does not: emit.
 
 mod argument;
-mod candidate;
 mod catalogue;
+mod derivation;
 mod derivatives;
 mod derived;
+mod formulation;
 mod function;
 mod multiplier;
 mod names;
@@ -25,7 +26,6 @@ mod told;
 mod variable;
 
 pub use argument::Argument;
-pub use candidate::{Candidate, Formulation};
 pub use catalogue::{CATALOGUE, OF_FRAMES};
 pub use derivatives::{
     coloring::colors,
@@ -34,6 +34,7 @@ pub use derivatives::{
     sparsity::Sparsity,
 };
 pub use derived::{CompactBlock, Derived, pattern};
+pub use formulation::Formulation;
 pub use function::{Function, Of, Output, PRESCRIBED};
 pub use multiplier::Multiplier;
 pub use names::dictionary::{advice, elsewhere, variable_elsewhere};

@@ -6,9 +6,9 @@ use std::collections::BTreeSet;
 
 use super::{
     argument::Argument,
-    candidate::{Candidate, Formulation},
     derived::Derived,
-    function::{Function, Output, Unknown},
+    formulation::Formulation,
+    function::{Function, MassMatrixUse, Output},
     packed::Packed,
     parse::syntax::AT_SIN_COS,
     part::{Part, Rows},
@@ -43,7 +43,7 @@ impl Request {
     }
 
     /// The part, where it is one as the catalogue has it.
-    pub fn alone(&self) -> Option<&Part> {
+    pub fn catalogue_part(&self) -> Option<&Part> {
         match &self.parts[..] {
             [part] if !self.at_sin_cos && part.derivative.is_none() => Some(part),
             _ => None,
@@ -58,8 +58,7 @@ impl Request {
 
     /// True where a plan may choose how inertias are regrouped.
     pub fn reads_inertias(&self) -> bool {
-        let mut candidates = self.functions().flat_map(|function| function.candidates);
-        candidates.any(Candidate::reads_inertias)
+        self.functions().any(Function::reads_inertias)
     }
 
     /// The function of a compact output.
@@ -188,19 +187,22 @@ impl Request {
 
     /// True where accelerations or the inverse of the mass matrix are solved for.
     pub fn solves(&self) -> bool {
-        self.functions()
-            .any(|function| function.solves_for.is_some())
+        self.functions().any(Function::solves)
     }
 
     /// True where the inverse of the mass matrix is written.
     pub fn inverts(&self) -> bool {
-        self.functions()
-            .any(|function| function.solves_for == Some(Unknown::Inverse))
+        self.uses(MassMatrixUse::Inverse)
     }
 
     /// True where the mass matrix is factorised, whichever way it is derived.
     pub fn factorises(&self) -> bool {
-        self.functions().any(Function::factorises)
+        self.uses(MassMatrixUse::Factors)
+    }
+
+    fn uses(&self, mass_matrix: MassMatrixUse) -> bool {
+        let mut functions = self.functions();
+        functions.any(|function| function.mass_matrix == mass_matrix)
     }
 
     /// True where accelerations of the prescribed speeds are given, and forces of the others.
@@ -210,8 +212,8 @@ impl Request {
 
     /// About how many operations a factorisation for it and a solution need.
     pub fn factorising(&self, tree: &Tree) -> usize {
-        let solves = |function: &&Function| function.solves_for.is_some() || function.factorises();
-        let mut solving = self.functions().filter(solves);
+        let takes_more = |function: &&Function| function.mass_matrix != MassMatrixUse::None;
+        let mut solving = self.functions().filter(takes_more);
         if solving.all(|function| function.prescribes) {
             solve::operations(tree, &tree.prescribed)
         } else {
@@ -222,7 +224,10 @@ impl Request {
     /// The formulations in which the function can be derived.
     pub fn formulations(&self) -> Vec<Formulation> {
         let functions = self.functions();
-        let mut all: Vec<_> = functions.flat_map(Function::formulations).collect();
+        let mut all: Vec<_> = functions
+            .flat_map(Function::formulations)
+            .copied()
+            .collect();
         all.sort_unstable();
         all.dedup();
         all
@@ -242,17 +247,13 @@ impl Request {
 
     /// As [`Self::n_numbers`], of the parts that solve.
     pub fn n_solved(&self, tree: &Tree) -> usize {
-        let parts = self
-            .parts
-            .iter()
-            .filter(|part| part.function.solves_for.is_some());
+        let parts = self.parts.iter().filter(|part| part.function.solves());
         parts.map(|part| part.n_numbers(tree)).sum()
     }
 
     /// True where this formulation needs a plan, which is searched for.
     pub fn takes_plan(&self, formulation: Formulation) -> bool {
-        let mut functions = self.functions();
-        functions.any(|function| function.candidate(formulation).takes_plan())
+        formulation == Formulation::Recursive && self.formulations().contains(&formulation)
     }
 
     /// True where some part is a derivative.

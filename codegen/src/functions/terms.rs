@@ -3,16 +3,44 @@
 use super::subject::{Subject, View};
 use crate::tree::{Body, NamedFrame, Tree};
 
+/// What the notes' sums of a function are.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Terms {
+    /// Of so few terms that they are always derived.
+    Few,
+    /// Those of a vector, a term for each speed that moves a body.
+    OfVector,
+    /// Those of a matrix, a term for each pair of them.
+    OfMatrix,
+    /// Those of a matrix some of whose rows are not solved for.
+    OfPartitioned,
+    /// Those along the path of a frame.
+    OfPath,
+}
+
+impl Terms {
+    /// How many there are at least.
+    pub(super) fn least(self, tree: &Tree, subject: Option<&Subject>) -> usize {
+        match self {
+            Self::Few => 0,
+            Self::OfVector => of_vector(tree),
+            Self::OfMatrix => of_matrix(tree),
+            Self::OfPartitioned => of_partitioned(tree),
+            Self::OfPath => subject.map_or(0, |subject| of_path(tree, subject)),
+        }
+    }
+}
+
 /// Eq. (42): for every body, one term for each pair of speeds that move it; those that others follow
 /// count once.
-pub(super) fn of_matrix(tree: &Tree) -> usize {
+fn of_matrix(tree: &Tree) -> usize {
     let pairs = |motions: usize| motions * (motions + 1) / 2;
     moving(tree, n_speeds).into_iter().map(pairs).sum()
 }
 
 /// Eqs. (42), (43) where some speeds are prescribed: for every body a term for each speed that moves it, or one for each pair of
 /// which not both are prescribed, where these are more.
-pub(super) fn of_partitioned(tree: &Tree) -> usize {
+fn of_partitioned(tree: &Tree) -> usize {
     let is_prescribed = |body: &Body| {
         let speeds = body.joint.speeds().into_iter();
         speeds
@@ -35,7 +63,7 @@ pub(super) fn of_vector(tree: &Tree) -> usize {
 
 /// Eqs. (15), (28) along the path of a frame: for every body that turns, one term for each speed below it; of several frames the most.
 /// None where a frame is seen from another, for what carries both is left out.
-pub(super) fn of_path(tree: &Tree, subject: &Subject) -> usize {
+fn of_path(tree: &Tree, subject: &Subject) -> usize {
     let of_frame = |frame: NamedFrame| {
         let body = tree.frame_body(frame).into_iter();
         let path: Vec<_> = body.flat_map(|body| tree.path(body)).collect();

@@ -14,7 +14,7 @@ pub struct Function {
     /// What it is given besides the parameters.
     pub arguments: Vec<Argument>,
     /// The part of a request, where it is one as the catalogue has it.
-    pub alone: Option<Part>,
+    pub catalogue_part: Option<Part>,
     /// The runtime's trait for the derivatives that it is, where there is one.
     pub derivative_trait: Option<&'static str>,
     /// The pattern of its output that stands before it, by its place among [`Facts::patterns`].
@@ -43,7 +43,7 @@ impl Function {
         Self {
             signature,
             arguments: Vec::new(),
-            alone: None,
+            catalogue_part: None,
             derivative_trait: None,
             pattern: None,
             formulation: Formulation::Notes,

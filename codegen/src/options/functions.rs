@@ -33,7 +33,9 @@ impl Functions {
         if has(ALL) {
             Self::All(others)
         } else if has(DEFAULT) {
-            let is_more = |name: &String| !alone(name).is_some_and(|function| function.is_default);
+            let is_more = |name: &String| {
+                !catalogue_function(name).is_some_and(|function| function.is_default)
+            };
             Self::Default(others.into_iter().filter(is_more).collect())
         } else {
             Self::Named(others)
@@ -70,7 +72,9 @@ impl Functions {
 
     /// True where the function is among them.
     pub fn names(&self, function: &Function) -> bool {
-        let is_named = |name: &String| alone(name).is_some_and(|named| named.name == function.name);
+        let is_named = |name: &String| {
+            catalogue_function(name).is_some_and(|named| named.name == function.name)
+        };
         self.set_has(function) || self.named().iter().any(is_named)
     }
 }
@@ -82,10 +86,12 @@ pub fn is_set(name: &str) -> bool {
 
 /// True for what `all` has: whoever names both has mistaken one of them.
 pub fn is_in_all(name: &str) -> bool {
-    name == DEFAULT || alone(name).is_some()
+    name == DEFAULT || catalogue_function(name).is_some()
 }
 
 /// The function that a name asks for, if it asks for one alone.
-fn alone(name: &str) -> Option<&'static Function> {
-    Parsed::read(name).ok().and_then(|named| named.alone())
+fn catalogue_function(name: &str) -> Option<&'static Function> {
+    Parsed::read(name)
+        .ok()
+        .and_then(|named| named.catalogue_function())
 }

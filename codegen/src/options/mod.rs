@@ -77,7 +77,7 @@ impl Options {
         let mut requests: Vec<Request> = selected.map(Request::from).collect();
         let named = self.functions.requests().into_iter();
         let mut faults = Vec::new();
-        for named in named.filter(|named| named.alone().is_none()) {
+        for named in named.filter(|named| named.catalogue_function().is_none()) {
             match named.on(tree) {
                 Ok(request) => requests.push(request),
                 Err(more) => faults.extend(more),

@@ -73,8 +73,8 @@ fn functions_in_words(functions: &Functions) -> String {
         Functions::Named(_) => None,
     };
     let is_in_set = |named: &Parsed| {
-        let alone = named.alone();
-        alone.is_some_and(|function| functions.set_has(function))
+        let function = named.catalogue_function();
+        function.is_some_and(|function| functions.set_has(function))
     };
     let named = functions.requests().into_iter();
     let others = named.filter(|named| !is_in_set(named));

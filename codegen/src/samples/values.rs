@@ -45,7 +45,7 @@ pub(crate) fn of(
     module: &Module,
 ) -> Result<(Vec<Sample>, Vec<Sampled>), Error> {
     let asked = compiled.functions.iter();
-    let asked = asked.flat_map(|one| one.function.arguments()).collect();
+    let asked = asked.flat_map(|one| one.request.arguments()).collect();
     let sampler = Sampler::new(tree, &asked);
     // The first state has the nominal parameters, each other one its own.
     let samples = (0..STATES).map(|seed| {
@@ -68,7 +68,7 @@ pub(crate) fn of(
         let mut numbers = sampled.values.iter().flatten().flatten();
         if numbers.any(|(number, tolerance)| !(number.is_finite() && *tolerance < MOST_TOLERANCE)) {
             return Err(Error::Unrepresentable {
-                what: format!("the tests of {}", emittable.function.name()),
+                what: format!("the tests of {}", emittable.request.name()),
             });
         }
     }
@@ -90,8 +90,8 @@ fn sampled(
     lengths: Vec<Vec<usize>>,
     states: &[Inputs],
 ) -> Sampled {
-    let function = &emittable.function;
-    let derived = function.derive(tree, Formulation::Notes, &Plan::full(tree));
+    let (notes, plan) = (Formulation::Notes, Plan::full(tree));
+    let derived = emittable.request.derive(tree, notes, &plan);
     let entries = |lengths: &Vec<usize>| {
         let count: usize = lengths.iter().product();
         count.div_ceil(MOST_NUMBERS).max(1)

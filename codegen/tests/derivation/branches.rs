@@ -416,7 +416,7 @@ fn long_functions_alone_have_branches_side_by_side() {
         };
         let compiled = compile::compile(&tree, &options).unwrap();
         let functions = compiled.functions.into_iter();
-        let asked_for = functions.filter(|own| own.function.text().contains("inverse_dynamics"));
+        let asked_for = functions.filter(|own| own.request.text().contains("inverse_dynamics"));
         asked_for
             .map(|own| own.program.helpers.len())
             .collect::<Vec<_>>()

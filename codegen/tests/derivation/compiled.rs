@@ -102,7 +102,7 @@ pub(crate) fn compiled(tree: &Tree, names: &[&str]) -> BTreeMap<String, (Emittab
             Input::Prepared(place) => prepared[place],
             given => input(tree, given),
         });
-        (emittable.function.text(), (emittable, values))
+        (emittable.request.text(), (emittable, values))
     });
     evaluated.collect()
 }

@@ -45,7 +45,7 @@ pub(crate) fn counts(
     compiled
         .functions
         .iter()
-        .map(|emittable| (emittable.function.name(), emittable.operations))
+        .map(|emittable| (emittable.request.name(), emittable.operations))
         .collect()
 }
 

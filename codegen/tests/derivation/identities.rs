@@ -272,7 +272,7 @@ fn passes_keep_the_values_of_every_function() {
         let (tree, state) = (model.tree(), State::random(model.tree(), *seed));
         let m = quantities::mass_matrix(model, &state);
         for function in &CATALOGUE {
-            for formulation in function.formulations() {
+            for &formulation in function.formulations() {
                 let at = format!(
                     "seed {seed}, {} {} {}",
                     system.name,

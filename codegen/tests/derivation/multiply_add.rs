@@ -59,7 +59,7 @@ fn fused_functions_agree_up_to_rounding() {
     for (path, base) in MODELS {
         let (plain, fused) = (compiled(path, base, false), compiled(path, base, true));
         for (plain, fused) in plain.functions.iter().zip(&fused.functions) {
-            let name = plain.function.name();
+            let name = plain.request.name();
             let (plain, fused) = (plain.program.evaluate(state), fused.program.evaluate(state));
             let at = format!("{path}, {name}");
             assert_close(at, &fused, &plain, Tolerance::relative(TOLERANCE));
@@ -74,7 +74,7 @@ fn fusing_keeps_the_counts_and_fuses_most_sums_of_the_dynamics() {
         for (plain, fused) in plain.functions.iter().zip(&fused.functions) {
             assert_eq!(plain.operations, fused.program.operations(), "{path}");
             assert_eq!(plain.program.fused(), 0, "{path}");
-            if ["inverse_dynamics", "forward_dynamics"].contains(&plain.function.name().as_str()) {
+            if ["inverse_dynamics", "forward_dynamics"].contains(&plain.request.name().as_str()) {
                 let (pairs, adds) = (fused.program.fused(), fused.operations.add);
                 assert!(2 * pairs > adds, "{path}: {pairs} of {adds} sums are fused");
             }
@@ -113,7 +113,7 @@ fn no_product_that_a_sum_alone_uses_is_left() {
         for function in compiled(path, base, true).functions {
             program::verify(&function.program).unwrap();
             let left = lone_products_of_sums(&function.program);
-            assert_eq!(left, 0, "{path}, {}", function.function.name());
+            assert_eq!(left, 0, "{path}, {}", function.request.name());
         }
     }
 }

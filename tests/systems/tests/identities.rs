@@ -240,15 +240,15 @@ mod bits {
             let given = |given: Input| input(model.tree(), &state, given);
             let prepared = compiled.preparation.evaluate(given);
             for emittable in &compiled.functions {
-                let name = emittable.function.name();
-                if only_both && emittable.function.formulations().len() == 1 {
+                let name = emittable.request.name();
+                if only_both && emittable.request.formulations().len() == 1 {
                     continue;
                 }
                 let values = emittable.program.evaluate(|input| match input {
                     Input::Prepared(place) => prepared[place],
                     input => given(input),
                 });
-                let expected = if emittable.function.compact().is_some() {
+                let expected = if emittable.request.compact().is_some() {
                     dense(model.tree(), &emittable.blocks, &values)
                 } else {
                     values

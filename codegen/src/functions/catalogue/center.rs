@@ -2,11 +2,11 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
+    derivation::Derivation,
     function::{Function, Output, PLAIN},
     roots,
     shape::Shape,
-    terms,
+    terms::Terms,
 };
 
 pub(super) const CENTER_OF_MASS: Function = Function {
@@ -18,10 +18,7 @@ pub(super) const CENTER_OF_MASS: Function = Function {
         "Mass centre of all bodies, from the inertial origin: inertial components, m. Also known as centre of mass, com.",
         "Mass that is fixed to the inertial frame does not count. Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.",
     ],
-    candidates: &[
-        Candidate::plain(roots::center::center_of_mass),
-        Candidate::planned(roots::center::center_of_mass_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::center::center_of_mass),
     ..PLAIN
 };
 
@@ -34,10 +31,7 @@ pub(super) const CENTER_OF_MASS_VELOCITY: Function = Function {
         "Velocity of the mass centre of all bodies in the inertial frame: inertial components, m/s; zero where no body has mass.",
         "Masses that are zero at run time alone give NaN.",
     ],
-    candidates: &[
-        Candidate::plain(roots::center::center_of_mass_velocity),
-        Candidate::planned(roots::center::center_of_mass_velocity_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::center::center_of_mass_velocity),
     ..PLAIN
 };
 
@@ -50,10 +44,8 @@ pub(super) const CENTER_OF_MASS_JACOBIAN: Function = Function {
         "Partial velocities of the mass centre of all bodies, a column for each speed: its velocity is this matrix times `u`, inertial components.",
         "Also known as com Jacobian. Zero where no body has mass; masses that are zero at run time alone give NaN.",
     ],
-    candidates: &[
-        Candidate::plain(roots::center::center_of_mass_jacobian).with_terms(terms::of_vector),
-        Candidate::planned(roots::center::center_of_mass_jacobian_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::center::center_of_mass_jacobian),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -67,10 +59,7 @@ pub(super) const CENTER_OF_MASS_JACOBIAN_DOT_U: Function = Function {
         "acceleration is `J u_dot` and this, without gravity. Also known as com drift. Zero where no body has mass; masses that are zero at run",
         "time alone give NaN.",
     ],
-    candidates: &[
-        Candidate::plain(roots::center::center_of_mass_jacobian_dot_u),
-        Candidate::planned(roots::center::center_of_mass_jacobian_dot_u_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::center::center_of_mass_jacobian_dot_u),
     ..PLAIN
 };
 
@@ -87,10 +76,8 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX: Function = Function {
         "matrices times `u`, inertial components. Also known as centroidal momentum matrix, cmm, `A_G`, ccrba. Rotors have none.",
         "Where no body has mass there is linear momentum of none; masses that are zero at run time alone give NaN.",
     ],
-    candidates: &[
-        Candidate::plain(roots::center::centroidal_momentum_matrix).with_terms(terms::of_vector),
-        Candidate::planned(roots::center::centroidal_momentum_matrix_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::center::centroidal_momentum_matrix),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -106,9 +93,6 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX_DOT_U: Function = Function {
         "Rates of linear momentum, N, and of angular momentum about the mass centre, N m, of all bodies for `u_dot = 0`: inertial components.",
         "With the centroidal momentum matrix `A_G`, their rates are `A_G u_dot` and this. Also known as `A_G_dot u`, centroidal bias, hdot drift.",
     ],
-    candidates: &[
-        Candidate::plain(roots::center::centroidal_momentum_matrix_dot_u),
-        Candidate::planned(roots::center::centroidal_momentum_matrix_dot_u_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::center::centroidal_momentum_matrix_dot_u),
     ..PLAIN
 };

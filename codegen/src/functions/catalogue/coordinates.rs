@@ -2,7 +2,7 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
+    derivation::Derivation,
     function::{Function, Output, PLAIN},
     roots,
     shape::Shape,
@@ -17,7 +17,7 @@ pub(super) const ANGLE_RATES: Function = Function {
         "Rates of the three angles from the relative angular velocities `w_rel` (body components, rad/s), Eq. (9): rad/s.",
         "For bodies whose three angles are free, zero for the others; not finite where `cos(theta_2) = 0`.",
     ],
-    candidates: &[Candidate::plain(roots::coordinates::angle_rates)],
+    derivation: Derivation::Notes(roots::coordinates::angle_rates),
     ..PLAIN
 };
 
@@ -30,7 +30,7 @@ pub(super) const Q_DOT: Function = Function {
     doc: &[
         "Rates of the coordinates: speeds that are rates, Eq. (44); from angular velocities those of angles, Eq. (9), or half of Hamilton's product `e (0, w)`.",
     ],
-    candidates: &[Candidate::plain(roots::coordinates::q_dot)],
+    derivation: Derivation::Notes(roots::coordinates::q_dot),
     ..PLAIN
 };
 
@@ -43,7 +43,7 @@ pub(super) const NORMALIZE: Function = Function {
         "The coordinates with every quaternion `e` brought back to length 1 by `e (3 - e.e)/2`, twice: for integrators, whose steps leave it slightly.",
         "A length that is off by d comes out off by about 3.4 d^4. All other coordinates are copied.",
     ],
-    candidates: &[Candidate::plain(roots::coordinates::normalize)],
+    derivation: Derivation::Notes(roots::coordinates::normalize),
     ..PLAIN
 };
 
@@ -55,6 +55,6 @@ pub(super) const SINGULARITY: Function = Function {
     doc: &[
         "Distance of each body's angles from the singularity of their chart: `|cos(theta_2)|` where `theta_1` and `theta_3` are both free, 1 elsewhere.",
     ],
-    candidates: &[Candidate::plain(roots::coordinates::singularity)],
+    derivation: Derivation::Notes(roots::coordinates::singularity),
     ..PLAIN
 };

@@ -2,11 +2,11 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
-    function::{Function, Output, PLAIN, Unknown},
+    derivation::Derivation,
+    function::{Function, MassMatrixUse, Output, PLAIN},
     roots,
     shape::Shape,
-    terms,
+    terms::Terms,
     told::{KnownMatrix, ReadOff},
 };
 
@@ -19,10 +19,8 @@ pub(super) const GENERALIZED_FORCES: Function = Function {
         "Generalized forces of the loads, Eq. (36): `tau`, without gravity; N m for an angle's speed, N for a translation's.",
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::generalized_forces).with_terms(terms::of_vector),
-        Candidate::planned(roots::dynamics::generalized_forces_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::dynamics::generalized_forces),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -39,10 +37,8 @@ pub(super) const MASS_MATRIX: Function = Function {
     doc: &[
         "Mass matrix, `A` of Eq. (42), with `M u_dot + bias = tau`: symmetric, every entry written. Also known as joint-space inertia, crba.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::mass_matrix).with_terms(terms::of_matrix),
-        Candidate::planned(roots::dynamics::mass_matrix_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::dynamics::mass_matrix),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -59,10 +55,8 @@ pub(super) const MASS_MATRIX_PACKED: Function = Function {
         "The entries of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero.",
         "`MASS_MATRIX_PACKED_PLACES` says in which row and column each stands, row after row.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::mass_matrix_packed).with_terms(terms::of_matrix),
-        Candidate::planned(roots::dynamics::mass_matrix_packed_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::dynamics::mass_matrix_packed),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -76,10 +70,8 @@ pub(super) const FORCING: Function = Function {
     doc: &[
         "Right-hand side `f` of Eqs. (41), (43): `M u_dot = f`; the loads' generalized forces less the bias.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::forcing).with_terms(terms::of_vector),
-        Candidate::planned(roots::dynamics::forcing_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::dynamics::forcing),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -99,10 +91,8 @@ pub(super) const BIAS: Function = Function {
         "Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.",
         "Also known as nonlinear effects, nle, `C q_dot + g`.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::bias).with_terms(terms::of_vector),
-        Candidate::planned(roots::dynamics::bias_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::dynamics::bias),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -116,10 +106,8 @@ pub(super) const GRAVITY_FORCES: Function = Function {
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
         "N m for an angle's speed, N for a translation's. Also known as gravity torque, generalized gravity, `g(q)`.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::gravity_forces).with_terms(terms::of_vector),
-        Candidate::planned(roots::dynamics::gravity_forces_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::dynamics::gravity_forces),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -135,10 +123,8 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
         "Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.",
         "N m for an angle's speed, N for a translation's.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::inverse_dynamics).with_terms(terms::of_vector),
-        Candidate::planned(roots::dynamics::inverse_dynamics_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::dynamics::inverse_dynamics),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -148,18 +134,16 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::Tau],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     is_default: true,
-    solves_for: Some(Unknown::Accelerations),
+    mass_matrix: MassMatrixUse::Accelerations,
     derivatives: Some(roots::jacobians::accelerations::forward_dynamics),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
-    inverse_dynamics: Some(roots::dynamics::inverse_dynamics_recursive),
+    inverse_dynamics: Some(roots::dynamics::inverse_dynamics),
     doc: &[
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::forward_dynamics).with_terms(terms::of_matrix),
-        Candidate::planned(roots::dynamics::forward_dynamics_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::dynamics::forward_dynamics),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -171,11 +155,8 @@ pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
     doc: &[
         "The pivots `D` of the mass matrix, `L^T D L` along the tree, by speed: all positive where it is positive definite.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::pivots)
-            .with_terms(terms::of_matrix)
-            .factorising(),
-        Candidate::planned(roots::dynamics::pivots_recursive).factorising(),
-    ],
+    derivation: Derivation::EitherWay(roots::dynamics::pivots),
+    terms: Terms::OfMatrix,
+    mass_matrix: MassMatrixUse::Factors,
     ..PLAIN
 };

@@ -2,7 +2,7 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
+    derivation::Derivation,
     function::{Function, Output, PLAIN},
     roots,
     shape::Shape,
@@ -15,10 +15,7 @@ pub(super) const KINETIC_ENERGY: Function = Function {
     outputs: &[Output::new("energy", Shape::SCALAR)],
     is_default: true,
     doc: &["Kinetic energy in the inertial frame, J."],
-    candidates: &[
-        Candidate::plain(roots::energy::kinetic_energy),
-        Candidate::planned(roots::energy::kinetic_energy_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::energy::kinetic_energy),
     ..PLAIN
 };
 
@@ -31,10 +28,7 @@ pub(super) const POTENTIAL_ENERGY: Function = Function {
     doc: &[
         "Potential energy, J: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.",
     ],
-    candidates: &[
-        Candidate::plain(roots::energy::potential_energy),
-        Candidate::planned(roots::energy::potential_energy_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::energy::potential_energy),
     ..PLAIN
 };
 
@@ -44,10 +38,7 @@ pub(super) const LINEAR_MOMENTUM: Function = Function {
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("momentum", Shape::VECTOR)],
     doc: &["Linear momentum of all bodies: inertial components, kg m/s."],
-    candidates: &[
-        Candidate::plain(roots::energy::linear_momentum),
-        Candidate::planned(roots::energy::linear_momentum_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::energy::linear_momentum),
     ..PLAIN
 };
 
@@ -59,10 +50,7 @@ pub(super) const ANGULAR_MOMENTUM: Function = Function {
     doc: &[
         "Angular momentum of all bodies about the inertial origin: inertial components, kg m^2/s.",
     ],
-    candidates: &[
-        Candidate::plain(roots::energy::angular_momentum),
-        Candidate::planned(roots::energy::angular_momentum_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::energy::angular_momentum),
     ..PLAIN
 };
 
@@ -74,10 +62,7 @@ pub(super) const KINETIC_ENERGIES: Function = Function {
     doc: &[
         "Kinetic energy of each body in the inertial frame, with that of the rotors of its joint, J: `kinetic_energy` by bodies.",
     ],
-    candidates: &[
-        Candidate::plain(roots::energy::kinetic_energies),
-        Candidate::planned(roots::energy::kinetic_energies_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::energy::kinetic_energies),
     ..PLAIN
 };
 
@@ -90,9 +75,6 @@ pub(super) const POTENTIAL_ENERGIES: Function = Function {
         "Potential energy of each body, with that of the springs of its joint, J: `potential_energy` by bodies. That of weight is zero for a",
         "mass at the inertial origin, that of a spring at rest.",
     ],
-    candidates: &[
-        Candidate::plain(roots::energy::potential_energies),
-        Candidate::planned(roots::energy::potential_energies_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::energy::potential_energies),
     ..PLAIN
 };

@@ -2,12 +2,12 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
-    function::{Function, Of, Output, PLAIN},
+    derivation::Derivation,
+    function::{Function, MassMatrixUse, Of, Output, PLAIN},
     roots,
     shape::Shape,
     subject::View,
-    terms,
+    terms::Terms,
 };
 
 const ANY_VIEW: Of = Of::Frame(&[View::Inertial, View::Local, View::Other]);
@@ -39,7 +39,7 @@ pub(super) const POSE: Function = Function {
         "and the position of its origin from {origin}, {base} components, m. Also known as frame placement, forward kinematics.",
         "The transposed matrix maps the frame's components to {base} ones.",
     ],
-    candidates: &Candidate::of_frame(roots::frames::pose),
+    derivation: Derivation::OfFrames(roots::frames::pose),
     ..PLAIN
 };
 
@@ -53,7 +53,7 @@ pub(super) const VELOCITY: Function = Function {
         "Velocity of the frame {frame} in the inertial frame: of its origin, m/s, and its angular velocity, rad/s; {axes}.",
         "Also known as frame velocity, spatial velocity at the frame's origin, twist.",
     ],
-    candidates: &Candidate::of_frame(roots::frames::velocity),
+    derivation: Derivation::OfFrames(roots::frames::velocity),
     ..PLAIN
 };
 
@@ -67,7 +67,7 @@ pub(super) const ACCELERATION: Function = Function {
         "Acceleration of the frame {frame} in the inertial frame: of its origin, m/s^2, and its angular acceleration, rad/s^2; {axes}.",
         "It is the rate of the velocity of the origin itself, without gravity. Also known as classical acceleration.",
     ],
-    candidates: &Candidate::of_frame(roots::frames::acceleration),
+    derivation: Derivation::OfFrames(roots::frames::acceleration),
     ..PLAIN
 };
 
@@ -81,7 +81,8 @@ pub(super) const JACOBIAN: Function = Function {
         "Jacobian of the frame {frame} {seen}: times `u` the velocity of its origin, m/s, and its angular velocity, rad/s.",
         "A column for each speed, zero but for those of {speeds}. Also known as geometric Jacobian, frame Jacobian, task Jacobian.",
     ],
-    candidates: &Candidate::of_frame_with_terms(roots::frames::jacobian, terms::of_path),
+    derivation: Derivation::OfFrames(roots::frames::jacobian),
+    terms: Terms::OfPath,
     ..PLAIN
 };
 
@@ -102,7 +103,8 @@ pub(super) const JACOBIAN_PACKED: Function = Function {
         "The columns of the Jacobian of the frame {frame} {seen}, of the speeds that move it alone: {speeds} says which.",
         "Times these speeds the velocity of the frame's origin, m/s, and its angular velocity, rad/s.",
     ],
-    candidates: &Candidate::of_frame_with_terms(roots::frames::jacobian_packed, terms::of_path),
+    derivation: Derivation::OfFrames(roots::frames::jacobian_packed),
+    terms: Terms::OfPath,
     ..PLAIN
 };
 
@@ -116,7 +118,8 @@ pub(super) const POINT_JACOBIAN: Function = Function {
         "Jacobian of a point fixed in the frame {frame}, {seen}: times `u` the velocity of the point, m/s, and the angular velocity of the frame, rad/s.",
         "A column for each speed, zero but for those of {speeds}. The point may be another at each call, for contacts that move.",
     ],
-    candidates: &Candidate::of_frame_with_terms(roots::frames::point_jacobian, terms::of_path),
+    derivation: Derivation::OfFrames(roots::frames::point_jacobian),
+    terms: Terms::OfPath,
     ..PLAIN
 };
 
@@ -130,7 +133,7 @@ pub(super) const JACOBIAN_DOT_U: Function = Function {
         "The rate of the Jacobian of the frame {frame} times `u`: the acceleration that the frame has in the inertial frame for `u_dot = 0`,",
         "of its origin, m/s^2, and angular, rad/s^2; {axes}. Also known as drift, bias acceleration, `J_dot q_dot`.",
     ],
-    candidates: &Candidate::of_frame(roots::frames::jacobian_dot_u),
+    derivation: Derivation::OfFrames(roots::frames::jacobian_dot_u),
     ..PLAIN
 };
 
@@ -144,7 +147,8 @@ pub(super) const GENERALIZED_FORCE: Function = Function {
         "Generalized forces of a wrench on the frame {frame}, its force at the frame's origin: `tau`, the transposed Jacobian times the wrench.",
         "The wrench is given by {axes}; N m for an angle's speed, N for a translation's. Also known as `J^T F`.",
     ],
-    candidates: &Candidate::of_frame_with_terms(roots::frames::generalized_force, terms::of_path),
+    derivation: Derivation::OfFrames(roots::frames::generalized_force),
+    terms: Terms::OfPath,
     ..PLAIN
 };
 
@@ -158,10 +162,9 @@ pub(super) const OPERATIONAL_INVERSE_INERTIA: Function = Function {
         "`J M^-1 J^T` of the Jacobian of {frame}: what a unit wrench accelerates; symmetric, six rows a frame, the linear ones first; {axes}.",
         "1/kg, 1/(kg m), 1/(kg m^2). Also known as inverse operational-space inertia, task-space mobility, Delassus matrix of several contacts.",
     ],
-    candidates: &Candidate::of_frames_factorising(
-        roots::frames::operational_inverse_inertia,
-        terms::of_matrix,
-    ),
+    derivation: Derivation::OfFrames(roots::frames::operational_inverse_inertia),
+    terms: Terms::OfMatrix,
+    mass_matrix: MassMatrixUse::Factors,
     ..PLAIN
 };
 
@@ -182,6 +185,6 @@ pub(super) const IMU: Function = Function {
         "What an inertial measurement unit at the frame {frame} reads: the acceleration of its origin less gravity, m/s^2, and its angular velocity, rad/s;",
         "components along the frame's own axes. At rest the specific force points up. Also known as accelerometer and gyroscope.",
     ],
-    candidates: &Candidate::of_frame(roots::frames::imu),
+    derivation: Derivation::OfFrames(roots::frames::imu),
     ..PLAIN
 };

@@ -2,11 +2,11 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
-    function::{Function, Output, PLAIN, Unknown},
+    derivation::Derivation,
+    function::{Function, MassMatrixUse, Output, PLAIN},
     roots,
     shape::Shape,
-    terms,
+    terms::Terms,
 };
 
 pub(super) const HYBRID_DYNAMICS: Function = Function {
@@ -17,7 +17,7 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
         Output::of_several("whole_u_dot", "whole_u_dot_multiplier", Shape::SPEEDS),
         Output::of_several("whole_tau", "whole_tau_multiplier", Shape::SPEEDS),
     ],
-    solves_for: Some(Unknown::Accelerations),
+    mass_matrix: MassMatrixUse::Accelerations,
     prescribes: true,
     doc: &[
         "Hybrid dynamics: of the speeds that `PRESCRIBED` marks, those of the joints that the option `prescribed` names, the accelerations are",
@@ -26,9 +26,7 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
         "none `forward_dynamics`. N m and rad/s^2 for an angle's speed, N and m/s^2 for a translation's. Also known as mixed dynamics, hybrid aba.",
         "Nothing is checked: where the mass matrix of the others is not positive definite the result is whatever IEEE arithmetic gives.",
     ],
-    candidates: &[
-        Candidate::plain(roots::hybrid::hybrid_dynamics).with_terms(terms::of_partitioned),
-        Candidate::planned(roots::hybrid::hybrid_dynamics_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::hybrid::hybrid_dynamics),
+    terms: Terms::OfPartitioned,
     ..PLAIN
 };

@@ -2,7 +2,7 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
+    derivation::Derivation,
     function::{Function, Output, PLAIN},
     roots,
     shape::Shape,
@@ -16,7 +16,7 @@ pub(super) const RELATIVE_ROTATION: Function = Function {
     doc: &[
         "Relative transformation matrices `JR_K`, Eq. (4): components in the lower body's axes to components in the body's, by rows.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::relative_rotation)],
+    derivation: Derivation::Notes(roots::kinematics::relative_rotation),
     ..PLAIN
 };
 
@@ -30,7 +30,7 @@ pub(super) const ROTATION: Function = Function {
         "Transformation matrices `R_K`, Eqs. (2)-(5): inertial components to components in the body's axes, by rows.",
         "The transposed matrix maps body components to inertial ones.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::rotation)],
+    derivation: Derivation::Notes(roots::kinematics::rotation),
     ..PLAIN
 };
 
@@ -42,9 +42,7 @@ pub(super) const RELATIVE_ANGULAR_VELOCITY: Function = Function {
     doc: &[
         "Angular velocity of each body relative to its lower body, Eq. (8): body components, rad/s.",
     ],
-    candidates: &[Candidate::plain(
-        roots::kinematics::relative_angular_velocity,
-    )],
+    derivation: Derivation::Notes(roots::kinematics::relative_angular_velocity),
     ..PLAIN
 };
 
@@ -56,7 +54,7 @@ pub(super) const ANGULAR_VELOCITY: Function = Function {
     doc: &[
         "Angular velocity of each body in the inertial frame, Eq. (11): body components, rad/s.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::angular_velocity)],
+    derivation: Derivation::Notes(roots::kinematics::angular_velocity),
     ..PLAIN
 };
 
@@ -68,7 +66,7 @@ pub(super) const ANGULAR_ACCELERATION: Function = Function {
     doc: &[
         "Angular acceleration of each body in the inertial frame, below Eq. (19): body components, rad/s^2.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::angular_acceleration)],
+    derivation: Derivation::Notes(roots::kinematics::angular_acceleration),
     ..PLAIN
 };
 
@@ -81,9 +79,7 @@ pub(super) const PARTIAL_ANGULAR_VELOCITY: Function = Function {
         "Partial angular velocities `W_K`, Eqs. (15)-(17): body components, the columns of the non-zero partitions alone.",
         "`PARTIAL_ANGULAR_VELOCITY_BLOCKS` says which body and speeds each column belongs to.",
     ],
-    candidates: &[Candidate::columns(
-        roots::kinematics::partial_angular_velocity,
-    )],
+    derivation: Derivation::Columns(roots::kinematics::partial_angular_velocity),
     ..PLAIN
 };
 
@@ -96,9 +92,7 @@ pub(super) const PARTIAL_ANGULAR_VELOCITY_DOT: Function = Function {
         "Time derivatives of the partial angular velocities, Eq. (20): of the body components, 1/s, compact.",
         "`PARTIAL_ANGULAR_VELOCITY_DOT_BLOCKS` says which body and speeds each column belongs to.",
     ],
-    candidates: &[Candidate::columns(
-        roots::kinematics::partial_angular_velocity_dot,
-    )],
+    derivation: Derivation::Columns(roots::kinematics::partial_angular_velocity_dot),
     ..PLAIN
 };
 
@@ -110,7 +104,7 @@ pub(super) const ORIGIN_POSITION: Function = Function {
     doc: &[
         "Position of each body's origin `O_K` from the inertial origin, Eq. (22): body components, m.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::origin_position)],
+    derivation: Derivation::Notes(roots::kinematics::origin_position),
     ..PLAIN
 };
 
@@ -123,7 +117,7 @@ pub(super) const MASS_CENTER_POSITION: Function = Function {
     doc: &[
         "Position of each body's mass centre `G_K` from the inertial origin, Eq. (23): body components, m.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::mass_center_position)],
+    derivation: Derivation::Notes(roots::kinematics::mass_center_position),
     ..PLAIN
 };
 
@@ -135,7 +129,7 @@ pub(super) const ORIGIN_VELOCITY: Function = Function {
     doc: &[
         "Velocity of each body's origin in the inertial frame, Eq. (25): lower-body components, m/s.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::origin_velocity)],
+    derivation: Derivation::Notes(roots::kinematics::origin_velocity),
     ..PLAIN
 };
 
@@ -147,7 +141,7 @@ pub(super) const MASS_CENTER_VELOCITY: Function = Function {
     doc: &[
         "Velocity of each body's mass centre in the inertial frame, Eq. (27): body components, m/s.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::mass_center_velocity)],
+    derivation: Derivation::Notes(roots::kinematics::mass_center_velocity),
     ..PLAIN
 };
 
@@ -160,9 +154,7 @@ pub(super) const PARTIAL_VELOCITY_ORIGIN: Function = Function {
         "Partial velocities of the origins `V_O_K`, Eqs. (28)-(30): lower-body components, compact; m for an angle's speed, 1 for a translation's.",
         "`PARTIAL_VELOCITY_ORIGIN_BLOCKS` says which body and speeds each column belongs to.",
     ],
-    candidates: &[Candidate::columns(
-        roots::kinematics::partial_velocity_origin,
-    )],
+    derivation: Derivation::Columns(roots::kinematics::partial_velocity_origin),
     ..PLAIN
 };
 
@@ -175,9 +167,7 @@ pub(super) const PARTIAL_VELOCITY_ORIGIN_DOT: Function = Function {
         "Time derivatives of the partial velocities of the origins, Eq. (34): of the lower-body components, compact.",
         "`PARTIAL_VELOCITY_ORIGIN_DOT_BLOCKS` says which body and speeds each column belongs to.",
     ],
-    candidates: &[Candidate::columns(
-        roots::kinematics::partial_velocity_origin_dot,
-    )],
+    derivation: Derivation::Columns(roots::kinematics::partial_velocity_origin_dot),
     ..PLAIN
 };
 
@@ -190,7 +180,7 @@ pub(super) const PARTIAL_VELOCITY: Function = Function {
         "Partial velocities of the mass centres `V_G_K`, Eq. (32): body components, compact; m for an angle's speed, 1 for a translation's.",
         "`PARTIAL_VELOCITY_BLOCKS` says which body and speeds each column belongs to.",
     ],
-    candidates: &[Candidate::columns(roots::kinematics::partial_velocity)],
+    derivation: Derivation::Columns(roots::kinematics::partial_velocity),
     ..PLAIN
 };
 
@@ -203,7 +193,7 @@ pub(super) const PARTIAL_VELOCITY_DOT: Function = Function {
         "Time derivatives of the partial velocities of the mass centres, Eq. (33): of the body components, compact.",
         "`PARTIAL_VELOCITY_DOT_BLOCKS` says which body and speeds each column belongs to.",
     ],
-    candidates: &[Candidate::columns(roots::kinematics::partial_velocity_dot)],
+    derivation: Derivation::Columns(roots::kinematics::partial_velocity_dot),
     ..PLAIN
 };
 
@@ -215,8 +205,6 @@ pub(super) const MASS_CENTER_ACCELERATION: Function = Function {
     doc: &[
         "Acceleration of each body's mass centre in the inertial frame, before Eq. (33): body components, m/s^2; gravity is no part of it.",
     ],
-    candidates: &[Candidate::plain(
-        roots::kinematics::mass_center_acceleration,
-    )],
+    derivation: Derivation::Notes(roots::kinematics::mass_center_acceleration),
     ..PLAIN
 };

@@ -2,11 +2,11 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
-    function::{Function, Output, PLAIN, Unknown},
+    derivation::Derivation,
+    function::{Function, MassMatrixUse, Output, PLAIN},
     roots,
     shape::Shape,
-    terms,
+    terms::Terms,
     told::KnownMatrix,
 };
 
@@ -22,10 +22,8 @@ pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
         "`generalized_forces` of the loads, N m for an angle's speed, N for a translation's. Also known as rnea with external forces, fext.",
         "A load is the resultant force at the mass centre and the resultant moment, body components; weight is none.",
     ],
-    candidates: &[
-        Candidate::plain(roots::loaded::loaded_inverse_dynamics).with_terms(terms::of_vector),
-        Candidate::planned(roots::loaded::loaded_inverse_dynamics_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::loaded::loaded_inverse_dynamics),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -34,19 +32,17 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     trait_name: Some("LoadedForwardDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::Tau, Argument::Loads],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
-    solves_for: Some(Unknown::Accelerations),
+    mass_matrix: MassMatrixUse::Accelerations,
     derivatives: Some(roots::jacobians::accelerations::loaded_forward_dynamics),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
-    inverse_dynamics: Some(roots::loaded::loaded_inverse_dynamics_recursive),
+    inverse_dynamics: Some(roots::loaded::loaded_inverse_dynamics),
     doc: &[
         "Forward dynamics under loads: the `u_dot` with `M u_dot + bias = tau` and the loads' generalized forces, Eq. (41), solved along the tree.",
         "Also known as aba with external forces, fext. A load is the resultant force at the mass centre and the resultant moment, body components.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
-    candidates: &[
-        Candidate::plain(roots::loaded::loaded_forward_dynamics).with_terms(terms::of_matrix),
-        Candidate::planned(roots::loaded::loaded_forward_dynamics_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::loaded::loaded_forward_dynamics),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -66,9 +62,6 @@ pub(super) const JOINT_WRENCHES: Function = Function {
         "each times its multiplier, is. Also known as joint reaction, constraint force.",
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
     ],
-    candidates: &[
-        Candidate::plain(roots::loaded::joint_wrenches),
-        Candidate::planned(roots::loaded::joint_wrenches_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::loaded::joint_wrenches),
     ..PLAIN
 };

@@ -2,11 +2,11 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
-    function::{Function, Output, PLAIN, Unknown},
+    derivation::Derivation,
+    function::{Function, MassMatrixUse, Output, PLAIN},
     roots,
     shape::Shape,
-    terms,
+    terms::Terms,
     told::{Beside, KnownMatrix, ReadOff},
 };
 
@@ -21,10 +21,8 @@ pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
         "The mass matrix of Eq. (42) times accelerations, `tau = M u_dot`, rotors included: inverse dynamics without bias. No matrix is formed.",
         "N m for an angle's speed, N for a translation's. Also known as mass-matrix-vector product; with speeds in place of `u_dot`, generalized momentum.",
     ],
-    candidates: &[
-        Candidate::plain(roots::matrices::product).with_terms(terms::of_vector),
-        Candidate::planned(roots::matrices::product_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::matrices::product),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -33,19 +31,17 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     trait_name: Some("MassMatrixSolve"),
     arguments: &[Argument::Q, Argument::Tau],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
-    solves_for: Some(Unknown::Accelerations),
+    mass_matrix: MassMatrixUse::Accelerations,
     derivatives: Some(roots::jacobians::accelerations::mass_matrix_solve),
     derivatives_tell: &[KnownMatrix::MassInverse],
-    inverse_dynamics: Some(roots::matrices::product_recursive),
+    inverse_dynamics: Some(roots::matrices::product),
     doc: &[
         "The accelerations `u_dot = M^-1 tau` of forces alone: forward dynamics without bias, solved along the tree. No inverse is formed.",
         "For several right-hand sides at once `R` holds several numbers: lanes, one right-hand side each. Also known as solve-M, computeMinverse times a vector.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
-    candidates: &[
-        Candidate::plain(roots::matrices::solution).with_terms(terms::of_matrix),
-        Candidate::planned(roots::matrices::solution_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::matrices::solution),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -58,16 +54,14 @@ pub(super) const MASS_MATRIX_INVERSE: Function = Function {
         matrix: KnownMatrix::MassInverse,
         entries: roots::matrices::whole,
     }),
-    solves_for: Some(Unknown::Inverse),
+    mass_matrix: MassMatrixUse::Inverse,
     doc: &[
         "The inverse of the mass matrix of Eq. (42): `u_dot = M^-1 (tau - bias)`, symmetric, every entry written.",
         "From `M = L^T D L` along the tree, or from articulated bodies. Also known as inverse joint-space inertia, Minv, computeMinverse.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
-    candidates: &[
-        Candidate::plain(roots::matrices::inverse).with_terms(terms::of_matrix),
-        Candidate::planned(roots::matrices::inverse_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::matrices::inverse),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -80,15 +74,13 @@ pub(super) const MASS_MATRIX_INVERSE_PACKED: Function = Function {
         matrix: KnownMatrix::MassInverse,
         entries: roots::matrices::packed_of_inverse,
     }),
-    solves_for: Some(Unknown::Inverse),
+    mass_matrix: MassMatrixUse::Inverse,
     doc: &[
         "The entries of the inverse of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero: those of two speeds of one tree at the root.",
         "`MASS_MATRIX_INVERSE_PACKED_PLACES` says in which row and column each stands, row after row.",
     ],
-    candidates: &[
-        Candidate::plain(roots::matrices::inverse_packed).with_terms(terms::of_matrix),
-        Candidate::planned(roots::matrices::inverse_packed_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::matrices::inverse_packed),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -103,12 +95,9 @@ pub(super) const MASS_MATRIX_FACTORS: Function = Function {
         "`MASS_MATRIX_FACTORS_PLACES` says at which two speeds each stands, row after row: as a packed mass matrix, with more only where there is fill.",
         "`MASS_MATRIX_FACTORS_ORDER` says in which order speeds are eliminated: an entry of L is in the row of that of its two speeds which comes first there. Also known as LTDL, sparse Cholesky.",
     ],
-    candidates: &[
-        Candidate::plain(roots::matrices::mass_matrix_factors)
-            .with_terms(terms::of_matrix)
-            .factorising(),
-        Candidate::planned(roots::matrices::mass_matrix_factors_recursive).factorising(),
-    ],
+    derivation: Derivation::EitherWay(roots::matrices::mass_matrix_factors),
+    terms: Terms::OfMatrix,
+    mass_matrix: MassMatrixUse::Factors,
     ..PLAIN
 };
 
@@ -126,10 +115,8 @@ pub(super) const CORIOLIS_MATRIX: Function = Function {
         "Of every particle `m V^T V_dot`, from Eqs. (15), (20), (32), (33): where all speeds are rates of coordinates it is that of the Christoffel symbols of the first kind,",
         "with angular velocities as speeds that which bodies have. Also known as centrifugal and Coriolis matrix, computeCoriolisMatrix, `C(q, q_dot)`.",
     ],
-    candidates: &[
-        Candidate::plain(roots::coriolis::coriolis_matrix).with_terms(terms::of_matrix),
-        Candidate::planned(roots::coriolis::coriolis_matrix_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::coriolis::coriolis_matrix),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -145,9 +132,7 @@ pub(super) const MASS_MATRIX_DOT: Function = Function {
     doc: &[
         "Rate of the mass matrix of Eq. (42) for the motion `u`, `M_dot = C + C^T`: symmetric, every entry written. Also known as time derivative of the joint-space inertia.",
     ],
-    candidates: &[
-        Candidate::plain(roots::coriolis::mass_matrix_dot).with_terms(terms::of_matrix),
-        Candidate::planned(roots::coriolis::mass_matrix_dot_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::coriolis::mass_matrix_dot),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };

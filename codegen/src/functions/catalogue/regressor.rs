@@ -2,11 +2,11 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
+    derivation::Derivation,
     function::{Function, Output, PLAIN},
     roots,
     shape::Shape,
-    terms,
+    terms::Terms,
 };
 
 pub(super) const INERTIAL_PARAMETERS: Function = Function {
@@ -18,7 +18,7 @@ pub(super) const INERTIAL_PARAMETERS: Function = Function {
         "`m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`, `I_xz`, `I_yz`, `I_zz`, about the body's origin, body components, kg, kg m, kg m^2;",
         "`I_xy` is the tensor's component. Also known as standard parameters, dynamic parameters.",
     ],
-    candidates: &[Candidate::plain(roots::regressor::inertial_parameters)],
+    derivation: Derivation::Notes(roots::regressor::inertial_parameters),
     ..PLAIN
 };
 
@@ -31,7 +31,7 @@ pub(super) const BASE_PARAMETERS: Function = Function {
         "factor in `BASE_PARAMETER_TERMS`. Where values are set at run time, the inertial parameters follow them; the factors stay those of the",
         "nominal values. Also known as minimal parameters.",
     ],
-    candidates: &[Candidate::plain(roots::regressor::base_parameters)],
+    derivation: Derivation::Notes(roots::regressor::base_parameters),
     ..PLAIN
 };
 
@@ -46,10 +46,8 @@ pub(super) const REGRESSOR: Function = Function {
         "`m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`, `I_xz`, `I_yz`, `I_zz`, about the body's origin, body components, kg, kg m, kg m^2;",
         "`I_xy` is the tensor's component. The model's own values are not read. Also known as joint torque regressor, identification matrix.",
     ],
-    candidates: &[
-        Candidate::plain(roots::regressor::regressor).with_terms(terms::of_vector),
-        Candidate::planned(roots::regressor::regressor_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::regressor::regressor),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -63,10 +61,8 @@ pub(super) const REGRESSOR_PACKED: Function = Function {
         "translates it without turning, those of its mass and first moment.",
         "`REGRESSOR_PACKED_PLACES` says in which row, which is a speed, and in which column, ten times the body and the parameter, each stands; columns come one after the other.",
     ],
-    candidates: &[
-        Candidate::plain(roots::regressor::regressor_packed).with_terms(terms::of_vector),
-        Candidate::planned(roots::regressor::regressor_packed_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::regressor::regressor_packed),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -82,10 +78,8 @@ pub(super) const BASE_REGRESSOR: Function = Function {
         "`inverse_dynamics` is `y` times the base parameters, and what springs, dampers and rotors need. The model's own masses are not read.",
         "Also known as minimal or reduced regressor, minimal inertial parameters.",
     ],
-    candidates: &[
-        Candidate::plain(roots::regressor::base_regressor).with_terms(terms::of_vector),
-        Candidate::planned(roots::regressor::base_regressor_recursive),
-    ],
+    derivation: Derivation::EitherWay(roots::regressor::base_regressor),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -101,6 +95,6 @@ pub(super) const JOINT_REGRESSOR: Function = Function {
         "A coefficient is what the speed feels of all joints that it moves: dampers and rotors of joints that follow times their multiplier",
         "squared, friction times its magnitude. Also known as friction regressor.",
     ],
-    candidates: &[Candidate::plain(roots::regressor::joint_regressor)],
+    derivation: Derivation::Notes(roots::regressor::joint_regressor),
     ..PLAIN
 };

@@ -4,7 +4,7 @@ use std::{collections::BTreeSet, ops::Range, sync::Arc};
 
 use super::sparsity::{LazySparsity, Sparsity, dependences};
 use crate::{
-    differentiate::{Row, Seeds, forward, reverse},
+    differentiate::{Row, Seeds, Sweep, reverse},
     expr::{Expr, ExprGraph},
     functions::{
         argument::Argument, derived::Derived, function::Output, multiplier::Multiplier,
@@ -232,7 +232,7 @@ impl Derivative {
         tree: &Tree,
         values: &[Expr],
         sizes: &[usize],
-        is_reverse: bool,
+        sweep: Sweep,
         Asked {
             multipliers,
             sparsity,
@@ -243,10 +243,9 @@ impl Derivative {
         let (seeds, columns) = self.seeds(graph, tree);
         let n_columns = columns.last().map_or(0, |last| last.end);
         let places = sparsity.map_or(&[][..], |sparsity| &sparsity.places);
-        let sweep = if is_reverse { reverse } else { forward };
         match self.kind {
             DerivativeKind::Jacobian => {
-                let rows = sweep(graph, values, &seeds);
+                let rows = sweep.rows(graph, values, &seeds);
                 let mut rest = &rows[..];
                 for &size in sizes {
                     let (own, others) = rest.split_at(size);
@@ -259,7 +258,7 @@ impl Derivative {
                 }
             }
             DerivativeKind::PackedJacobian => {
-                let rows = sweep(graph, values, &seeds);
+                let rows = sweep.rows(graph, values, &seeds);
                 for &[row, column] in places {
                     let entry = entry(graph, &rows[row], column);
                     derived.roots.push(entry);
@@ -267,19 +266,19 @@ impl Derivative {
             }
             DerivativeKind::Jvp => {
                 let seeds = self.along(graph, tree, seeds);
-                for row in sweep(graph, values, &seeds) {
+                for row in sweep.rows(graph, values, &seeds) {
                     derived.extend_by(&row, 0..1);
                 }
             }
             DerivativeKind::Vjp => {
                 let weighted = weighted(graph, tree, multipliers, values);
-                let rows = sweep(graph, &[weighted], &seeds);
+                let rows = sweep.rows(graph, &[weighted], &seeds);
                 derived.extend_by(&rows[0], 0..n_columns);
             }
             DerivativeKind::Hessian => {
                 let weighted = (multipliers, values);
                 let gradient = gradient(graph, tree, weighted, &seeds, n_columns);
-                let rows = sweep(graph, &gradient, &seeds);
+                let rows = sweep.rows(graph, &gradient, &seeds);
                 let mixing = self.mixing(tree, &columns);
                 let entries = symmetric(graph, &rows, &mixing, places);
                 derived.roots.extend(entries);

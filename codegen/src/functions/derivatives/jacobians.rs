@@ -10,8 +10,8 @@ use crate::{
     expr::Expr,
     functions::{
         argument::Argument,
-        candidate::Formulation,
         derived::Derived,
+        formulation::Formulation,
         function::Jacobians,
         part::Part,
         told::{KnownMatrix, Told},

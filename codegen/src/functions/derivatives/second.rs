@@ -14,8 +14,8 @@ use crate::{
     differentiate::{forward, reverse},
     expr::{Expr, ExprGraph, Input},
     functions::{
-        argument::Argument, candidate::Formulation, derived::Derived, function::InverseDynamicsFn,
-        part::Part, variable::Variable,
+        argument::Argument, derived::Derived, formulation::Formulation,
+        function::InverseDynamicsFn, part::Part, variable::Variable,
     },
     recursive::{Plan, Technique, accelerations::inverse_mass, derivatives},
     solve,
@@ -125,8 +125,7 @@ impl Part {
         };
         let u_dot = told.and_then(|told| told.values);
         let u_dot = u_dot.unwrap_or_else(|| {
-            let values = self.candidate(tree, formulation);
-            values.derive_in(derived, tree, one_by_one, self.subject.as_ref());
+            self.derive_values(derived, tree, formulation, one_by_one);
             derived.roots.split_off(begin)
         });
         First {

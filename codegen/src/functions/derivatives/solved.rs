@@ -9,7 +9,9 @@ use super::derivative::{Asked, Derivative, DerivativeKind, entry, gradient};
 use crate::{
     differentiate::forward,
     expr::{Expr, ExprGraph, Input},
-    functions::{argument::Argument, derived::Derived, function::InverseDynamicsFn, roots},
+    functions::{
+        argument::Argument, derived::Derived, formulation::Way, function::InverseDynamicsFn, roots,
+    },
     recursive::{Plan, accelerations::inverse_mass},
     solve::{self, SpeedMatrix},
     tree::Tree,
@@ -101,7 +103,7 @@ pub(super) fn lacking(
 ) -> (Vec<Expr>, BTreeMap<Input, Expr>) {
     graph.enter(None);
     let mut lacking = roots::dynamics::applied(graph, tree);
-    let needed = (solution.inverse_dynamics)(graph, tree, plan);
+    let needed = (solution.inverse_dynamics)(graph, tree, Way::Recursive(plan));
     solve::subtract(graph, tree, &mut lacking, &needed);
     let accelerations = Argument::UDot.inputs(tree);
     let values = accelerations.zip(solution.u_dot.iter().copied()).collect();

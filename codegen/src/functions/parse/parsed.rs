@@ -41,15 +41,24 @@ struct ParsedPart {
     derivative: Option<(DerivativeKind, Vec<Word>)>,
 }
 
-/// Where a request stands in a module: whether it is the catalogue's, its parts, whether it is given sines and cosines.
-pub type Place = (bool, Vec<PartPlace>, bool);
+/// Where a request stands in a module: by the first of these that differs from another's.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    /// True for what is not a function of the catalogue and of the system, as it is.
+    is_other: bool,
+    parts: Vec<PartPlace>,
+    at_sin_cos: bool,
+}
 
-/// The same of a part: its place in the catalogue, its frames, what it is differentiated by.
-pub(in crate::functions) type PartPlace = (
-    usize,
-    Option<(Vec<String>, View)>,
-    Option<(DerivativeKind, Vec<String>)>,
-);
+/// The same of a part.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct PartPlace {
+    /// The place of its function in the catalogue.
+    function: usize,
+    frames: Option<(Vec<String>, View)>,
+    /// What of its derivatives, and by what.
+    derivative: Option<(DerivativeKind, Vec<String>)>,
+}
 
 impl Parsed {
     /// Reads a request; the grammar stands in the module `syntax`.
@@ -100,8 +109,8 @@ impl Parsed {
         self.parts.iter().filter_map(ParsedPart::of_system)
     }
 
-    /// The function of the whole system, where it is one alone.
-    pub fn alone(&self) -> Option<&'static Function> {
+    /// The function of the whole system that it asks for, where it asks for one as the catalogue has it.
+    pub fn catalogue_function(&self) -> Option<&'static Function> {
         match &self.parts[..] {
             [part] if !self.at_sin_cos => part.of_system(),
             _ => None,
@@ -117,7 +126,11 @@ impl Parsed {
     /// Where it stands in a module: the catalogue's functions in their order, then the others.
     pub fn place(&self) -> Place {
         let parts = self.parts.iter().map(ParsedPart::place).collect();
-        (self.alone().is_none(), parts, self.at_sin_cos)
+        Place {
+            is_other: self.catalogue_function().is_none(),
+            parts,
+            at_sin_cos: self.at_sin_cos,
+        }
     }
 }
 
@@ -328,14 +341,15 @@ impl ParsedPart {
         let mut functions = CATALOGUE.iter().chain(&OF_FRAMES);
         let position = functions.position(|function| function.name == self.function.name);
         let subject = self.subject.as_ref();
-        (
-            position.expect("functions: a part is of the catalogue"),
-            subject.map(|subject| (subject.names().map(str::to_owned).collect(), subject.view)),
-            self.derivative.as_ref().map(|(kind, by)| {
+        PartPlace {
+            function: position.expect("functions: a part is of the catalogue"),
+            frames: subject
+                .map(|subject| (subject.names().map(str::to_owned).collect(), subject.view)),
+            derivative: self.derivative.as_ref().map(|(kind, by)| {
                 let by = by.iter().map(|word| word.text.clone());
                 (*kind, by.collect())
             }),
-        )
+        }
     }
 }
 

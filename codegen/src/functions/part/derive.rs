@@ -2,10 +2,11 @@
 
 use super::Part;
 use crate::{
+    differentiate::Sweep,
     functions::{
-        candidate::{Candidate, Formulation},
         derivatives::{derivative::Asked, solved::Solution},
         derived::Derived,
+        formulation::Formulation,
         told::Told,
     },
     recursive::{Plan, Technique},
@@ -15,13 +16,12 @@ use crate::{
 impl Part {
     /// By what it is derived. The recursion relies on rotations being orthonormal, which they are not where an entry changes
     /// alone.
-    pub(in crate::functions) fn candidate(&self, tree: &Tree, wanted: Formulation) -> &Candidate {
-        let formulation = if self.is_by_turn(tree) {
-            Formulation::Notes
-        } else {
+    fn formulation(&self, tree: &Tree, wanted: Formulation) -> Formulation {
+        if self.function.formulations().contains(&wanted) && !self.is_by_turn(tree) {
             wanted
-        };
-        self.function.candidate(formulation)
+        } else {
+            Formulation::Notes
+        }
     }
 
     /// True where an entry of its frames' rotations is a variable.
@@ -38,8 +38,23 @@ impl Part {
         })
     }
 
-    /// Derives it after others, in the same graph, by its candidate of this formulation or by its first. Returns what it
-    /// found of others.
+    /// Derives the values of its function after others, in the same graph, in this formulation where it can be.
+    pub(in crate::functions) fn derive_values(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        formulation: Formulation,
+        plan: &Plan,
+    ) {
+        let way = self.formulation(tree, formulation).by(plan);
+        let subject = self.subject.as_ref();
+        self.function
+            .derivation
+            .derive_in(derived, tree, way, subject);
+    }
+
+    /// Derives it after others, in the same graph, in this formulation where it can be. Returns what it found of
+    /// others.
     pub(in crate::functions) fn derive_in(
         &self,
         derived: &mut Derived,
@@ -47,9 +62,8 @@ impl Part {
         formulation: Formulation,
         plan: &Plan,
     ) -> Told {
-        let candidate = self.candidate(tree, formulation);
         let first = derived.roots.len();
-        let is_direct = candidate.formulation == Formulation::Recursive
+        let is_direct = self.formulation(tree, formulation) == Formulation::Recursive
             && plan.uses(Technique::DirectDerivatives);
         if is_direct
             && self.is_whole_derivative()
@@ -61,15 +75,15 @@ impl Part {
             && let Some(derivative) = self.second_derivative()
             && let Some(forces) = self.function.inverse_dynamics
         {
-            let way = (formulation, plan);
-            let values = self.derive_second(derived, tree, way, derivative, forces);
+            let by = (formulation, plan);
+            let values = self.derive_second(derived, tree, by, derivative, forces);
             return Told::default().with_values(self.values().name(), Some(values));
         }
         // No sweep goes through calls.
         let is_swept = self.derivative.is_some();
         let one_by_one = is_swept.then(|| plan.with(Technique::Lockstep, false));
         let plan = one_by_one.as_ref().unwrap_or(plan);
-        candidate.derive_in(derived, tree, plan, self.subject.as_ref());
+        self.derive_values(derived, tree, formulation, plan);
         if let Some(derivative) = &self.derivative {
             let own_length = |dimension| self.own_length(dimension, tree, 0);
             let outputs = self.function.outputs.iter();
@@ -90,8 +104,12 @@ impl Part {
                 derivative.apply_to_solution(derived, tree, plan, &solution, asked);
                 return Told::default();
             }
-            let is_reverse = plan.uses(Technique::Reverse);
-            derivative.apply(derived, tree, &values, &sizes, is_reverse, asked);
+            let sweep = if plan.uses(Technique::Reverse) {
+                Sweep::Reverse
+            } else {
+                Sweep::Forward
+            };
+            derivative.apply(derived, tree, &values, &sizes, sweep, asked);
         }
         Told::default()
     }
@@ -104,11 +122,9 @@ impl Part {
         formulation: Formulation,
         plan: &Plan,
     ) -> Told {
-        let candidate = self.candidate(tree, formulation);
-        let is_plain = self.derivative.is_none();
         if let Some(beside) = self.function.beside
-            && is_plain
-            && candidate.formulation == Formulation::Recursive
+            && self.derivative.is_none()
+            && self.formulation(tree, formulation) == Formulation::Recursive
         {
             let (entries, told) = (beside.derive)(&mut derived.graph, tree, plan);
             derived.roots.extend(entries);

@@ -10,12 +10,12 @@ use std::{borrow::Cow, sync::Arc};
 
 use super::{
     argument::Argument,
-    candidate::Formulation,
     derivatives::{
         derivative::{Derivative, DerivativeKind},
         sparsity::Sparsity,
     },
     derived::Derived,
+    formulation::Formulation,
     function::{Function, Output},
     parse::syntax::written,
     shape::{Dimension, Shape},
@@ -180,9 +180,8 @@ impl Part {
         let of = (self.function.outputs, self.subject_length());
         derivative.sparsity(tree, of, |tree| {
             let mut derived = Derived::default();
-            let candidate = self.candidate(tree, Formulation::Recursive);
-            let (plan, subject) = (Plan::plain(tree), self.subject.as_ref());
-            candidate.derive_in(&mut derived, tree, &plan, subject);
+            let plan = Plan::plain(tree);
+            self.derive_values(&mut derived, tree, Formulation::Recursive, &plan);
             derived
         })
     }

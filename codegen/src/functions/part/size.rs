@@ -5,9 +5,9 @@ use crate::{
     expr::ExprGraph,
     functions::{
         argument::Argument,
-        candidate::Formulation,
         derivatives::derivative::DerivativeKind,
         derived::Derived,
+        formulation::{Formulation, Way},
         function::Output,
         packed::Packed,
         shape::{Dimension, Length},
@@ -24,7 +24,7 @@ const SLOPES: usize = 4;
 impl Part {
     /// How many terms the notes' sums have at least; where they are differentiated, about so many for every row that is swept.
     pub(in crate::functions) fn literal_terms(&self, tree: &Tree) -> usize {
-        let terms = self.function.literal_terms(tree, self.subject.as_ref());
+        let terms = self.function.terms.least(tree, self.subject.as_ref());
         let Rows { forward, reverse } = self.swept_rows(tree);
         terms * forward.min(reverse).max(1)
     }
@@ -41,12 +41,11 @@ impl Part {
         let (plan, n_variables) = (Plan::plain(tree), self.n_variables(tree));
         let Some(forces) = self.function.inverse_dynamics.filter(|_| is_direct) else {
             let mut derived = Derived::default();
-            let candidate = self.candidate(tree, Formulation::Recursive);
-            candidate.derive_in(&mut derived, tree, &plan, self.subject.as_ref());
+            self.derive_values(&mut derived, tree, Formulation::Recursive, &plan);
             return SLOPES * derived.graph.len() * n_variables;
         };
         let mut graph = ExprGraph::default();
-        let _ = forces(&mut graph, tree, &plan);
+        let _ = forces(&mut graph, tree, Way::Recursive(&plan));
         let by = self.derivative.iter().flat_map(|derivative| &derivative.by);
         let by = by.filter(|variable| **variable != Variable::Given(Argument::Tau));
         let n_swept: usize = by.map(|variable| variable.n_entries(tree)).sum();

@@ -2,116 +2,84 @@
 
 use crate::{
     expr::{Expr, ExprGraph, Vector},
-    kane::{
-        self,
-        center::{self, Momentum},
-    },
-    recursive::{self, Plan},
+    functions::formulation::Way,
+    kane::center::{self as notes, Momentum},
+    recursive::totals::{center as recursive, momentum_matrix},
     tree::Tree,
 };
-
-fn matrices(columns: &[Momentum]) -> Vec<Expr> {
-    center::rows(columns).concat()
-}
 
 fn matrix(columns: &[Vector]) -> Vec<Expr> {
     let row = |axis: usize| columns.iter().map(move |column| column[axis]);
     (0..3).flat_map(row).collect()
 }
 
-fn vectors(Momentum { linear, angular }: Momentum) -> Vec<Expr> {
-    [linear, angular].concat()
-}
-
-pub(in crate::functions) fn center_of_mass(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    kane::center::position(graph, tree).to_vec()
-}
-
-pub(in crate::functions) fn center_of_mass_recursive(
+pub(in crate::functions) fn center_of_mass(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    recursive::totals::center::position(graph, tree, plan).to_vec()
+    let position = match way {
+        Way::Notes => notes::position(graph, tree),
+        Way::Recursive(plan) => recursive::position(graph, tree, plan),
+    };
+    position.to_vec()
 }
 
 pub(in crate::functions) fn center_of_mass_velocity(
     graph: &mut ExprGraph,
     tree: &Tree,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    kane::center::velocity(graph, tree).to_vec()
-}
-
-pub(in crate::functions) fn center_of_mass_velocity_recursive(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Vec<Expr> {
-    recursive::totals::center::velocity(graph, tree, plan).to_vec()
+    let velocity = match way {
+        Way::Notes => notes::velocity(graph, tree),
+        Way::Recursive(plan) => recursive::velocity(graph, tree, plan),
+    };
+    velocity.to_vec()
 }
 
 pub(in crate::functions) fn center_of_mass_jacobian(
     graph: &mut ExprGraph,
     tree: &Tree,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    matrix(&kane::center::jacobian(graph, tree))
-}
-
-pub(in crate::functions) fn center_of_mass_jacobian_recursive(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Vec<Expr> {
-    matrix(&recursive::totals::momentum_matrix::center_jacobian(
-        graph, tree, plan,
-    ))
+    matrix(&match way {
+        Way::Notes => notes::jacobian(graph, tree),
+        Way::Recursive(plan) => momentum_matrix::center_jacobian(graph, tree, plan),
+    })
 }
 
 pub(in crate::functions) fn center_of_mass_jacobian_dot_u(
     graph: &mut ExprGraph,
     tree: &Tree,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    kane::center::jacobian_dot_u(graph, tree).to_vec()
-}
-
-pub(in crate::functions) fn center_of_mass_jacobian_dot_u_recursive(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Vec<Expr> {
-    recursive::totals::center::jacobian_dot_u(graph, tree, plan).to_vec()
+    let acceleration = match way {
+        Way::Notes => notes::jacobian_dot_u(graph, tree),
+        Way::Recursive(plan) => recursive::jacobian_dot_u(graph, tree, plan),
+    };
+    acceleration.to_vec()
 }
 
 pub(in crate::functions) fn centroidal_momentum_matrix(
     graph: &mut ExprGraph,
     tree: &Tree,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    matrices(&kane::center::momentum_matrix(graph, tree))
-}
-
-pub(in crate::functions) fn centroidal_momentum_matrix_recursive(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Vec<Expr> {
-    matrices(&recursive::totals::momentum_matrix::momentum_matrix(
-        graph, tree, plan,
-    ))
+    let columns = match way {
+        Way::Notes => notes::momentum_matrix(graph, tree),
+        Way::Recursive(plan) => momentum_matrix::momentum_matrix(graph, tree, plan),
+    };
+    notes::rows(&columns).concat()
 }
 
 pub(in crate::functions) fn centroidal_momentum_matrix_dot_u(
     graph: &mut ExprGraph,
     tree: &Tree,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    vectors(kane::center::momentum_matrix_dot_u(graph, tree))
-}
-
-pub(in crate::functions) fn centroidal_momentum_matrix_dot_u_recursive(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Vec<Expr> {
-    vectors(recursive::totals::center::momentum_matrix_dot_u(
-        graph, tree, plan,
-    ))
+    let Momentum { linear, angular } = match way {
+        Way::Notes => notes::momentum_matrix_dot_u(graph, tree),
+        Way::Recursive(plan) => recursive::momentum_matrix_dot_u(graph, tree, plan),
+    };
+    [linear, angular].concat()
 }

@@ -5,25 +5,26 @@ use crate::{
     expr::{Expr, ExprGraph, Purpose},
     functions::{
         argument::Argument,
+        formulation::Way,
         told::{KnownMatrix, Told},
     },
     given::{Accelerations, mechanics},
-    kane,
-    recursive::{self, Plan, forces::gravity, matrices::coriolis},
+    kane::coriolis as notes,
+    recursive::{Plan, forces::gravity, matrices as recursive},
     solve::{self, SpeedMatrix},
     tree::Tree,
 };
 
-pub(in crate::functions) fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    kane::coriolis::coriolis_matrix(graph, tree).concat()
-}
-
-pub(in crate::functions) fn coriolis_matrix_recursive(
+pub(in crate::functions) fn coriolis_matrix(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    coriolis::coriolis_matrix(graph, tree, plan).concat()
+    let matrix = match way {
+        Way::Notes => notes::coriolis_matrix(graph, tree),
+        Way::Recursive(plan) => recursive::coriolis::coriolis_matrix(graph, tree, plan),
+    };
+    matrix.concat()
 }
 
 /// With the mass matrix, which its columns hold.
@@ -32,7 +33,7 @@ pub(in crate::functions) fn coriolis_matrix_beside(
     tree: &Tree,
     plan: &Plan,
 ) -> (Vec<Expr>, Told) {
-    let (c, mass) = coriolis::coriolis_and_mass_matrix(graph, tree, plan);
+    let (c, mass) = recursive::coriolis::coriolis_and_mass_matrix(graph, tree, plan);
     let mass = with_rotors(graph, tree, mass);
     let entries = c.concat();
     let told = Told::default().with(KnownMatrix::Mass, mass);
@@ -82,14 +83,14 @@ pub(in crate::functions) fn bias_of_coriolis(
     bias
 }
 
-pub(in crate::functions) fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    kane::coriolis::mass_matrix_dot(graph, tree).concat()
-}
-
-pub(in crate::functions) fn mass_matrix_dot_recursive(
+pub(in crate::functions) fn mass_matrix_dot(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    recursive::matrices::mass_matrix_dot::mass_matrix_dot(graph, tree, plan).concat()
+    let matrix = match way {
+        Way::Notes => notes::mass_matrix_dot(graph, tree),
+        Way::Recursive(plan) => recursive::mass_matrix_dot::mass_matrix_dot(graph, tree, plan),
+    };
+    matrix.concat()
 }

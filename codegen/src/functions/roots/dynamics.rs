@@ -2,10 +2,11 @@
 
 use crate::{
     expr::{Expr, ExprGraph, Input},
+    functions::formulation::Way,
     given::{Accelerations, Loads, mechanics},
-    kane::dynamics,
+    kane::dynamics as notes,
     recursive::{
-        self, Plan,
+        Plan, accelerations,
         forces::{gravity, inverse_dynamics},
         matrices::composite,
     },
@@ -18,62 +19,48 @@ pub(super) fn with_rotors(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix
     a
 }
 
-/// With what is needed beside the motion of bodies: for springs, dampers and rotors, less what lifts bodies, which is found by the
-/// notes' equations where there is no plan.
+/// With what is needed beside the motion of bodies: for springs, dampers and rotors, less what lifts bodies.
 pub(super) fn with_forces(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     accelerations: Accelerations<'_>,
     mut tau: Vec<Expr>,
 ) -> Vec<Expr> {
     mechanics::add_forces(graph, tree, accelerations, &mut tau);
     if tree.lifts_some() {
-        let lifting = match plan {
-            None => dynamics::lifting_forces(graph, tree),
-            Some(plan) => gravity::lifting_forces(graph, tree, plan),
+        let lifting = match way {
+            Way::Notes => notes::lifting_forces(graph, tree),
+            Way::Recursive(plan) => gravity::lifting_forces(graph, tree, plan),
         };
         solve::subtract(graph, tree, &mut tau, &lifting);
     }
     tau
 }
 
-pub(in crate::functions) fn matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
-    let a = dynamics::mass_matrix(graph, tree);
+pub(super) fn matrix(graph: &mut ExprGraph, tree: &Tree, way: Way<'_>) -> SpeedMatrix {
+    let a = match way {
+        Way::Notes => notes::mass_matrix(graph, tree),
+        Way::Recursive(plan) => composite::mass_matrix(graph, tree, plan),
+    };
     with_rotors(graph, tree, a)
 }
 
-fn matrix_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
-    let a = composite::mass_matrix(graph, tree, plan);
-    with_rotors(graph, tree, a)
-}
-
-pub(in crate::functions) fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    matrix(graph, tree).concat()
-}
-
-pub(in crate::functions) fn mass_matrix_recursive(
+pub(in crate::functions) fn mass_matrix(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    matrix_recursive(graph, tree, plan).concat()
+    matrix(graph, tree, way).concat()
 }
 
-pub(in crate::functions) fn mass_matrix_packed(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    packed(tree, &matrix(graph, tree))
-}
-
-pub(in crate::functions) fn mass_matrix_packed_recursive(
+pub(in crate::functions) fn mass_matrix_packed(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    packed(tree, &matrix_recursive(graph, tree, plan))
-}
-
-fn packed(tree: &Tree, a: &SpeedMatrix) -> Vec<Expr> {
-    at(tree.coupled_speeds(), a)
+    let a = matrix(graph, tree, way);
+    at(tree.coupled_speeds(), &a)
 }
 
 pub(in crate::functions) fn packed_of_mass(
@@ -82,7 +69,7 @@ pub(in crate::functions) fn packed_of_mass(
     _: &Plan,
     mass: &SpeedMatrix,
 ) -> Vec<Expr> {
-    packed(tree, mass)
+    at(tree.coupled_speeds(), mass)
 }
 
 /// The entries of a matrix at these places.
@@ -91,110 +78,103 @@ pub(super) fn at(places: impl IntoIterator<Item = [usize; 2]>, matrix: &SpeedMat
     places.map(|[row, column]| matrix[row][column]).collect()
 }
 
-pub(in crate::functions) fn generalized_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    dynamics::generalized_forces(graph, tree)
-}
-
-pub(in crate::functions) fn generalized_forces_recursive(
+pub(in crate::functions) fn generalized_forces(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    inverse_dynamics::generalized_forces(graph, tree, plan)
+    match way {
+        Way::Notes => notes::generalized_forces(graph, tree),
+        Way::Recursive(plan) => inverse_dynamics::generalized_forces(graph, tree, plan),
+    }
 }
 
-pub(in crate::functions) fn forcing(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let f = dynamics::forcing(graph, tree);
-    less_forces(graph, tree, None, f)
-}
-
-pub(in crate::functions) fn forcing_recursive(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Vec<Expr> {
-    let f = inverse_dynamics::forcing(graph, tree, plan);
-    less_forces(graph, tree, Some(plan), f)
-}
-
-fn less_forces(graph: &mut ExprGraph, tree: &Tree, plan: Option<&Plan>, f: Vec<Expr>) -> Vec<Expr> {
+pub(in crate::functions) fn forcing(graph: &mut ExprGraph, tree: &Tree, way: Way<'_>) -> Vec<Expr> {
+    let f = match way {
+        Way::Notes => notes::forcing(graph, tree),
+        Way::Recursive(plan) => inverse_dynamics::forcing(graph, tree, plan),
+    };
     let minus = f.into_iter().map(|entry| -entry).collect();
-    let sum = with_forces(graph, tree, plan, Accelerations::Zero, minus);
+    let sum = with_forces(graph, tree, way, Accelerations::Zero, minus);
     sum.into_iter().map(|entry| -entry).collect()
 }
 
-pub(in crate::functions) fn bias(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let tau = dynamics::inverse_dynamics(graph, tree, Accelerations::Zero);
-    with_forces(graph, tree, None, Accelerations::Zero, tau)
+pub(in crate::functions) fn bias(graph: &mut ExprGraph, tree: &Tree, way: Way<'_>) -> Vec<Expr> {
+    needed(graph, tree, way, Accelerations::Zero, Loads::Absent)
 }
 
-pub(in crate::functions) fn bias_recursive(
+pub(in crate::functions) fn gravity_forces(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    let tau = inverse_dynamics::inverse_dynamics(graph, tree, plan, Accelerations::Zero);
-    with_forces(graph, tree, Some(plan), Accelerations::Zero, tau)
+    match way {
+        Way::Notes => notes::gravity_forces(graph, tree),
+        Way::Recursive(plan) => gravity::gravity_forces(graph, tree, plan),
+    }
 }
 
-pub(in crate::functions) fn gravity_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    dynamics::gravity_forces(graph, tree)
-}
-
-pub(in crate::functions) fn gravity_forces_recursive(
+pub(in crate::functions) fn inverse_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    gravity::gravity_forces(graph, tree, plan)
+    needed(graph, tree, way, Accelerations::Given, Loads::Absent)
 }
 
-pub(in crate::functions) fn inverse_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let tau = dynamics::inverse_dynamics(graph, tree, Accelerations::Given);
-    with_forces(graph, tree, None, Accelerations::Given, tau)
-}
-
-pub(in crate::functions) fn inverse_dynamics_recursive(
+/// All forces that are needed at these accelerations.
+pub(super) fn needed(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
+    given: Accelerations<'_>,
+    loads: Loads,
 ) -> Vec<Expr> {
-    let tau = inverse_dynamics::inverse_dynamics(graph, tree, plan, Accelerations::Given);
-    with_forces(graph, tree, Some(plan), Accelerations::Given, tau)
+    let tau = match (way, loads) {
+        (Way::Notes, Loads::Absent) => notes::inverse_dynamics(graph, tree, given),
+        (Way::Notes, Loads::Given) => notes::loaded_inverse_dynamics(graph, tree, given),
+        (Way::Recursive(plan), Loads::Absent) => {
+            inverse_dynamics::inverse_dynamics(graph, tree, plan, given)
+        }
+        (Way::Recursive(plan), Loads::Given) => {
+            inverse_dynamics::loaded_inverse_dynamics(graph, tree, plan, given)
+        }
+    };
+    with_forces(graph, tree, way, given, tau)
 }
 
-pub(in crate::functions) fn forward_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let bias = bias(graph, tree);
-    accelerated(graph, tree, &bias)
+pub(in crate::functions) fn forward_dynamics(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    way: Way<'_>,
+) -> Vec<Expr> {
+    accelerated(graph, tree, way, Loads::Absent)
 }
 
 /// The accelerations by what is left of `tau` beside what a motion without any needs.
-pub(super) fn accelerated(graph: &mut ExprGraph, tree: &Tree, needed: &[Expr]) -> Vec<Expr> {
-    let factors = factors(graph, tree);
-    let mut net = applied(graph, tree);
-    solve::subtract(graph, tree, &mut net, needed);
-    factors.solve(graph, net)
-}
-
-pub(in crate::functions) fn forward_dynamics_recursive(
+pub(super) fn accelerated(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
-) -> Vec<Expr> {
-    accelerated_recursive(graph, tree, plan, Loads::Absent)
-}
-
-pub(super) fn accelerated_recursive(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
     loads: Loads,
 ) -> Vec<Expr> {
-    let mut net = applied(graph, tree);
-    let zero = vec![graph.zero(); net.len()];
-    let taken = with_forces(graph, tree, Some(plan), Accelerations::Zero, zero);
-    solve::subtract(graph, tree, &mut net, &taken);
-    recursive::accelerations::forward_dynamics::forward_dynamics(graph, tree, plan, net, loads)
+    let zero = Accelerations::Zero;
+    match way {
+        Way::Notes => {
+            let needed = needed(graph, tree, way, zero, loads);
+            let factors = factors(graph, tree, way);
+            let mut net = applied(graph, tree);
+            solve::subtract(graph, tree, &mut net, &needed);
+            factors.solve(graph, net)
+        }
+        Way::Recursive(plan) => {
+            let mut net = applied(graph, tree);
+            let none = vec![graph.zero(); net.len()];
+            let taken = with_forces(graph, tree, way, zero, none);
+            solve::subtract(graph, tree, &mut net, &taken);
+            accelerations::forward_dynamics::forward_dynamics(graph, tree, plan, net, loads)
+        }
+    }
 }
 
 /// `tau`, each entry in the scope of its body.
@@ -209,24 +189,11 @@ pub(in crate::functions) fn applied(graph: &mut ExprGraph, tree: &Tree) -> Vec<E
     tau
 }
 
-pub(in crate::functions) fn factors(graph: &mut ExprGraph, tree: &Tree) -> Factors {
-    let a = matrix(graph, tree);
+pub(super) fn factors(graph: &mut ExprGraph, tree: &Tree, way: Way<'_>) -> Factors {
+    let a = matrix(graph, tree, way);
     solve::factorise(graph, tree, a)
 }
 
-pub(super) fn factors_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Factors {
-    let a = matrix_recursive(graph, tree, plan);
-    solve::factorise(graph, tree, a)
-}
-
-pub(in crate::functions) fn pivots(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    factors(graph, tree).pivots
-}
-
-pub(in crate::functions) fn pivots_recursive(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Vec<Expr> {
-    factors_recursive(graph, tree, plan).pivots
+pub(in crate::functions) fn pivots(graph: &mut ExprGraph, tree: &Tree, way: Way<'_>) -> Vec<Expr> {
+    factors(graph, tree, way).pivots
 }

@@ -2,83 +2,78 @@
 
 use crate::{
     expr::{Expr, ExprGraph},
-    kane,
-    recursive::{self, Plan},
+    functions::formulation::Way,
+    kane::energy as notes,
+    recursive::totals::{body_energies, energy, momentum},
     tree::Tree,
 };
 
-pub(in crate::functions) fn kinetic_energy(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    vec![kane::energy::kinetic(graph, tree)]
-}
-
-pub(in crate::functions) fn kinetic_energy_recursive(
+pub(in crate::functions) fn kinetic_energy(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    vec![recursive::totals::energy::kinetic(graph, tree, plan)]
+    vec![match way {
+        Way::Notes => notes::kinetic(graph, tree),
+        Way::Recursive(plan) => energy::kinetic(graph, tree, plan),
+    }]
 }
 
-pub(in crate::functions) fn potential_energy(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    vec![kane::energy::potential(graph, tree)]
-}
-
-pub(in crate::functions) fn potential_energy_recursive(
+pub(in crate::functions) fn potential_energy(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    vec![recursive::totals::energy::potential(graph, tree, plan)]
+    vec![match way {
+        Way::Notes => notes::potential(graph, tree),
+        Way::Recursive(plan) => energy::potential(graph, tree, plan),
+    }]
 }
 
-pub(in crate::functions) fn linear_momentum(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    kane::energy::linear_momentum(graph, tree).to_vec()
-}
-
-pub(in crate::functions) fn linear_momentum_recursive(
+pub(in crate::functions) fn linear_momentum(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    recursive::totals::momentum::linear(graph, tree, plan).to_vec()
+    let momentum = match way {
+        Way::Notes => notes::linear_momentum(graph, tree),
+        Way::Recursive(plan) => momentum::linear(graph, tree, plan),
+    };
+    momentum.to_vec()
 }
 
-pub(in crate::functions) fn angular_momentum(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    kane::energy::angular_momentum(graph, tree).to_vec()
-}
-
-pub(in crate::functions) fn angular_momentum_recursive(
+pub(in crate::functions) fn angular_momentum(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    recursive::totals::momentum::angular(graph, tree, plan).to_vec()
+    let momentum = match way {
+        Way::Notes => notes::angular_momentum(graph, tree),
+        Way::Recursive(plan) => momentum::angular(graph, tree, plan),
+    };
+    momentum.to_vec()
 }
 
-pub(in crate::functions) fn kinetic_energies(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let energies = kane::energy::kinetic_by_body(graph, tree);
+pub(in crate::functions) fn kinetic_energies(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    way: Way<'_>,
+) -> Vec<Expr> {
+    let energies = match way {
+        Way::Notes => notes::kinetic_by_body(graph, tree),
+        Way::Recursive(plan) => body_energies::kinetic_by_body(graph, tree, plan),
+    };
     energies.into_values().collect()
 }
 
-pub(in crate::functions) fn kinetic_energies_recursive(
+pub(in crate::functions) fn potential_energies(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    let energies = recursive::totals::body_energies::kinetic_by_body(graph, tree, plan);
-    energies.into_values().collect()
-}
-
-pub(in crate::functions) fn potential_energies(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let energies = kane::energy::potential_by_body(graph, tree);
-    energies.into_values().collect()
-}
-
-pub(in crate::functions) fn potential_energies_recursive(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Vec<Expr> {
-    let energies = recursive::totals::body_energies::potential_by_body(graph, tree, plan);
+    let energies = match way {
+        Way::Notes => notes::potential_by_body(graph, tree),
+        Way::Recursive(plan) => body_energies::potential_by_body(graph, tree, plan),
+    };
     energies.into_values().collect()
 }

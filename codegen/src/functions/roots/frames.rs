@@ -1,13 +1,16 @@
-//! The root expressions of each function of frames, along the links of a plan, or without one by the notes' equations.
+//! The root expressions of each function of frames.
 
 use super::dynamics;
 use crate::{
     expr::{Expr, ExprGraph, Vector},
-    functions::subject::{Subject, View},
+    functions::{
+        formulation::Way,
+        subject::{Subject, View},
+    },
     given::{Accelerations, FrameMotion, FramePose, frame_point},
     id::SpeedId,
     kane::frame as notes,
-    recursive::{Plan, frame as recursive},
+    recursive::frame as recursive,
     tree::{NamedFrame, Tree},
 };
 
@@ -17,14 +20,14 @@ type Columns = Vec<(SpeedId, FrameMotion)>;
 pub(in crate::functions) fn pose(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
     let frame = subject.frame();
-    let FramePose { rotation, position } = match (plan, subject.other()) {
-        (Some(plan), from) => recursive::pose(graph, tree, plan, frame, from),
-        (None, Some(from)) => notes::seen_pose(graph, tree, frame, from),
-        (None, None) => notes::pose(graph, tree, frame),
+    let FramePose { rotation, position } = match (way, subject.other()) {
+        (Way::Recursive(plan), from) => recursive::pose(graph, tree, plan, frame, from),
+        (Way::Notes, Some(from)) => notes::seen_pose(graph, tree, frame, from),
+        (Way::Notes, None) => notes::pose(graph, tree, frame),
     };
     [rotation.concat(), position.to_vec()].concat()
 }
@@ -32,81 +35,83 @@ pub(in crate::functions) fn pose(
 pub(in crate::functions) fn velocity(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
     let frame = subject.frame();
-    of_motion(match (plan, subject.view) {
-        (Some(plan), View::Local) => recursive::local_velocity(graph, tree, plan, frame),
-        (Some(plan), _) => recursive::velocity(graph, tree, plan, frame),
-        (None, View::Local) => notes::local_velocity(graph, tree, frame),
-        (None, _) => notes::velocity(graph, tree, frame),
+    of_motion(match (way, subject.view) {
+        (Way::Recursive(plan), View::Local) => recursive::local_velocity(graph, tree, plan, frame),
+        (Way::Recursive(plan), _) => recursive::velocity(graph, tree, plan, frame),
+        (Way::Notes, View::Local) => notes::local_velocity(graph, tree, frame),
+        (Way::Notes, _) => notes::velocity(graph, tree, frame),
     })
 }
 
 pub(in crate::functions) fn acceleration(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
-    accelerated(graph, tree, plan, subject, Accelerations::Given)
+    accelerated(graph, tree, way, subject, Accelerations::Given)
 }
 
 pub(in crate::functions) fn jacobian_dot_u(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
-    accelerated(graph, tree, plan, subject, Accelerations::Zero)
+    accelerated(graph, tree, way, subject, Accelerations::Zero)
 }
 
 fn accelerated(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
     given: Accelerations<'static>,
 ) -> Vec<Expr> {
     let frame = subject.frame();
-    of_motion(match (plan, subject.view) {
-        (Some(plan), View::Local) => recursive::local_acceleration(graph, tree, plan, frame, given),
-        (Some(plan), _) => recursive::acceleration(graph, tree, plan, frame, given),
-        (None, View::Local) => notes::local_acceleration(graph, tree, frame, given),
-        (None, _) => notes::acceleration(graph, tree, frame, given),
+    of_motion(match (way, subject.view) {
+        (Way::Recursive(plan), View::Local) => {
+            recursive::local_acceleration(graph, tree, plan, frame, given)
+        }
+        (Way::Recursive(plan), _) => recursive::acceleration(graph, tree, plan, frame, given),
+        (Way::Notes, View::Local) => notes::local_acceleration(graph, tree, frame, given),
+        (Way::Notes, _) => notes::acceleration(graph, tree, frame, given),
     })
 }
 
 pub(in crate::functions) fn imu(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
-    of_motion(match plan {
-        Some(plan) => recursive::imu(graph, tree, plan, subject.frame()),
-        None => notes::imu(graph, tree, subject.frame()),
+    of_motion(match way {
+        Way::Recursive(plan) => recursive::imu(graph, tree, plan, subject.frame()),
+        Way::Notes => notes::imu(graph, tree, subject.frame()),
     })
 }
 
 pub(in crate::functions) fn jacobian(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
-    let columns = columns(graph, tree, plan, subject, (subject.frame(), None));
+    let columns = columns(graph, tree, way, subject, (subject.frame(), None));
     whole(graph, tree, subject, columns)
 }
 
 pub(in crate::functions) fn jacobian_packed(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
-    let columns = columns(graph, tree, plan, subject, (subject.frame(), None));
+    let columns = columns(graph, tree, way, subject, (subject.frame(), None));
     let packed = packed(graph, &subject.speeds(tree), columns);
     by_rows(&packed)
 }
@@ -114,42 +119,41 @@ pub(in crate::functions) fn jacobian_packed(
 pub(in crate::functions) fn point_jacobian(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
     let point = Some(frame_point(graph));
-    let columns = columns(graph, tree, plan, subject, (subject.frame(), point));
+    let columns = columns(graph, tree, way, subject, (subject.frame(), point));
     whole(graph, tree, subject, columns)
 }
 
 pub(in crate::functions) fn generalized_force(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
     let frame = subject.frame();
-    match (plan, subject.view) {
-        (Some(plan), View::Local) => recursive::local_generalized_force(graph, tree, plan, frame),
-        (Some(plan), _) => recursive::generalized_force(graph, tree, plan, frame),
-        (None, View::Local) => notes::local_generalized_force(graph, tree, frame),
-        (None, _) => notes::generalized_force(graph, tree, frame),
+    match (way, subject.view) {
+        (Way::Recursive(plan), View::Local) => {
+            recursive::local_generalized_force(graph, tree, plan, frame)
+        }
+        (Way::Recursive(plan), _) => recursive::generalized_force(graph, tree, plan, frame),
+        (Way::Notes, View::Local) => notes::local_generalized_force(graph, tree, frame),
+        (Way::Notes, _) => notes::generalized_force(graph, tree, frame),
     }
 }
 
 pub(in crate::functions) fn operational_inverse_inertia(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
-    let factors = match plan {
-        Some(plan) => dynamics::factors_recursive(graph, tree, plan),
-        None => dynamics::factors(graph, tree),
-    };
+    let factors = dynamics::factors(graph, tree, way);
     let mut rows = Vec::with_capacity(6 * subject.frames.len());
     for frame in &subject.frames {
-        let columns = columns(graph, tree, plan, subject, (frame.frame, None));
+        let columns = columns(graph, tree, way, subject, (frame.frame, None));
         let entries = whole(graph, tree, subject, columns);
         // No speed, no motion: six rows of nothing.
         let row = |row: usize| entries[row * tree.n_speeds..][..tree.n_speeds].to_vec();
@@ -165,17 +169,17 @@ fn of_motion(FrameMotion { linear, angular }: FrameMotion) -> Vec<Expr> {
 fn columns(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: Option<&Plan>,
+    way: Way<'_>,
     subject: &Subject,
     of: (NamedFrame, Option<Vector>),
 ) -> Columns {
     let (frame, point) = of;
-    match (plan, subject.view, subject.other()) {
-        (Some(plan), View::Local, _) => recursive::local_jacobian(graph, tree, plan, of),
-        (Some(plan), _, from) => recursive::jacobian(graph, tree, plan, of, from),
-        (None, View::Local, _) => notes::local_jacobian(graph, tree, frame, point),
-        (None, _, Some(from)) => notes::seen_jacobian(graph, tree, of, from),
-        (None, _, None) => notes::jacobian(graph, tree, frame, point),
+    match (way, subject.view, subject.other()) {
+        (Way::Recursive(plan), View::Local, _) => recursive::local_jacobian(graph, tree, plan, of),
+        (Way::Recursive(plan), _, from) => recursive::jacobian(graph, tree, plan, of, from),
+        (Way::Notes, View::Local, _) => notes::local_jacobian(graph, tree, frame, point),
+        (Way::Notes, _, Some(from)) => notes::seen_jacobian(graph, tree, of, from),
+        (Way::Notes, _, None) => notes::jacobian(graph, tree, frame, point),
     }
 }
 

@@ -1,43 +1,49 @@
 //! The root expressions of hybrid dynamics: accelerations of some joints are prescribed, forces of the others.
 
-use super::dynamics::{applied, matrix, with_forces};
+use super::dynamics::{applied, matrix, needed, with_forces};
 use crate::{
     expr::{Expr, ExprGraph, Input},
+    functions::formulation::Way,
     given::{Accelerations, Loads},
-    kane::dynamics,
-    recursive::{self, Plan},
+    recursive::{Plan, accelerations::hybrid_dynamics as recursive},
     solve::{self, Partitioned},
     tree::Tree,
 };
 
-pub(in crate::functions) fn hybrid_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let given = Accelerations::GivenOf(&tree.prescribed);
-    let needed = dynamics::inverse_dynamics(graph, tree, given);
-    let needed = with_forces(graph, tree, None, given, needed);
-    let a = matrix(graph, tree);
-    let tau = applied(graph, tree);
-    let found = solve::partitioned(graph, tree, a, &tree.prescribed, tau, &needed);
+pub(in crate::functions) fn hybrid_dynamics(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    way: Way<'_>,
+) -> Vec<Expr> {
+    let found = match way {
+        Way::Notes => by_partitions(graph, tree),
+        Way::Recursive(plan) => by_plan(graph, tree, plan),
+    };
     whole(graph, tree, found)
 }
 
-pub(in crate::functions) fn hybrid_dynamics_recursive(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Vec<Expr> {
+fn by_partitions(graph: &mut ExprGraph, tree: &Tree) -> Partitioned {
+    let given = Accelerations::GivenOf(&tree.prescribed);
+    let needed = needed(graph, tree, Way::Notes, given, Loads::Absent);
+    let a = matrix(graph, tree, Way::Notes);
+    let tau = applied(graph, tree);
+    solve::partitioned(graph, tree, a, &tree.prescribed, tau, &needed)
+}
+
+fn by_plan(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Partitioned {
     let given = Accelerations::GivenOf(&tree.prescribed);
     let mut net = applied(graph, tree);
     let zero = vec![graph.zero(); net.len()];
-    let taken = with_forces(graph, tree, Some(plan), given, zero);
+    let taken = with_forces(graph, tree, Way::Recursive(plan), given, zero);
     solve::subtract(graph, tree, &mut net, &taken);
-    let solved = recursive::accelerations::hybrid_dynamics::hybrid_dynamics;
-    let mut found = solved(graph, tree, plan, net, &tree.prescribed, Loads::Absent);
+    let prescribed = &tree.prescribed;
+    let mut found = recursive::hybrid_dynamics(graph, tree, plan, net, prescribed, Loads::Absent);
     let bodies = tree.speed_bodies();
-    for speed in tree.prescribed.iter().map(|speed| speed.index()) {
+    for speed in prescribed.iter().map(|speed| speed.index()) {
         graph.enter(bodies[speed]);
         found.forces[speed] = graph.add(found.forces[speed], taken[speed]);
     }
-    whole(graph, tree, found)
+    found
 }
 
 /// All accelerations, then all forces: what was found among what is given.

@@ -1,7 +1,7 @@
 //! How functions are derived: for each file of the catalogue one that puts the root expressions together from the equations, and
 //! what several of them use.
 //!
-//! In: a tree, of the recursive formulation a plan too. Out: the entries of all outputs, row-major, in the user's axes.
+//! In: a tree, and where there are two the way to associate sums over bodies. Out: the entries of all outputs, row-major, in the user's axes.
 
 pub(super) mod center;
 pub(super) mod coordinates;

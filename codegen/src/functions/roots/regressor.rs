@@ -3,9 +3,9 @@
 use crate::{
     base_parameters,
     expr::{Expr, ExprGraph},
+    functions::formulation::Way,
     given::{self, mechanics},
-    kane,
-    recursive::{self, Plan},
+    kane, recursive,
     tree::{N_INERTIAL, Tree, user_parts},
 };
 
@@ -32,33 +32,23 @@ pub(in crate::functions) fn base_parameters(graph: &mut ExprGraph, tree: &Tree) 
     sums.collect()
 }
 
-pub(in crate::functions) fn regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    kane::regressor::regressor(graph, tree)
-}
-
-pub(in crate::functions) fn regressor_recursive(
+pub(in crate::functions) fn regressor(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    recursive::regressor::regressor(graph, tree, plan)
+    match way {
+        Way::Notes => kane::regressor::regressor(graph, tree),
+        Way::Recursive(plan) => recursive::regressor::regressor(graph, tree, plan),
+    }
 }
 
-pub(in crate::functions) fn regressor_packed(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let y = regressor(graph, tree);
-    at_places(tree, &y)
-}
-
-pub(in crate::functions) fn regressor_packed_recursive(
+pub(in crate::functions) fn regressor_packed(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    let y = regressor_recursive(graph, tree, plan);
-    at_places(tree, &y)
-}
-
-fn at_places(tree: &Tree, y: &[Expr]) -> Vec<Expr> {
+    let y = regressor(graph, tree, way);
     let columns = kane::regressor::PARAMETERS.len() * tree.bodies.len();
     let places = kane::regressor::places(tree).into_iter();
     places
@@ -66,22 +56,13 @@ fn at_places(tree: &Tree, y: &[Expr]) -> Vec<Expr> {
         .collect()
 }
 
-pub(in crate::functions) fn base_regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let y = regressor(graph, tree);
-    left(tree, &y)
-}
-
-pub(in crate::functions) fn base_regressor_recursive(
+/// The columns of base parameters among all.
+pub(in crate::functions) fn base_regressor(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    let y = regressor_recursive(graph, tree, plan);
-    left(tree, &y)
-}
-
-/// The columns of base parameters among all.
-fn left(tree: &Tree, y: &[Expr]) -> Vec<Expr> {
+    let y = &regressor(graph, tree, way);
     let speeds = 0..tree.n_speeds;
     let entries = speeds.flat_map(|speed| {
         let parameters = base_parameters::of(tree).iter();

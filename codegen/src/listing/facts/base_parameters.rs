@@ -33,7 +33,7 @@ impl BaseParameters {
     /// Those of the tree, if some function writes them or their columns, or is given multipliers of these.
     pub(in crate::listing) fn of(tree: &Tree, functions: &[Emittable]) -> Option<Self> {
         let has = |own: &Emittable| {
-            let request = &own.function;
+            let request = &own.request;
             let mut written = request.outputs().into_iter().map(|output| output.shape);
             let mut given = request.arguments().into_iter().map(Argument::shape);
             let is_of_them = |shape: Shape| shape.has(Dimension::BaseParameters);

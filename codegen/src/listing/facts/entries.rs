@@ -38,7 +38,7 @@ impl Entries {
     /// Those that the functions write, each once.
     pub(in crate::listing) fn of(tree: &Tree, functions: &[Emittable]) -> Vec<Self> {
         let mut known = BTreeSet::new();
-        let parts = functions.iter().flat_map(|one| one.function.parts());
+        let parts = functions.iter().flat_map(|one| one.request.parts());
         let all = parts.filter_map(|part| Self::of_part(tree, part));
         all.filter(|one| known.insert(one.constant.clone()))
             .collect()

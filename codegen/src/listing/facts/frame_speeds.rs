@@ -21,7 +21,7 @@ impl FrameSpeeds {
     /// Those that the functions speak of, each once.
     pub(in crate::listing) fn of(tree: &Tree, functions: &[Emittable]) -> Vec<Self> {
         let mut known = BTreeSet::new();
-        let parts = functions.iter().flat_map(|one| one.function.parts());
+        let parts = functions.iter().flat_map(|one| one.request.parts());
         let own = |part: &Part| {
             let subject = part
                 .subject

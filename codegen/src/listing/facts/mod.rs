@@ -105,11 +105,11 @@ impl Facts {
     /// Those of a tree, and what its functions ask for.
     pub(super) fn of(tree: &Tree, origin: Origin, compiled: &Compiled) -> Self {
         let functions = &compiled.functions[..];
-        let any = |is: fn(&Request) -> bool| functions.iter().any(|one| is(&one.function));
+        let any = |is: fn(&Request) -> bool| functions.iter().any(|one| is(&one.request));
         let coordinates = tree.coordinate_names();
         let angles = any(Request::is_at_sin_cos).then(|| angles(tree, &coordinates));
         let has_values = any(Request::is_by_parameters) || !tree.parameters.is_empty();
-        let written = functions.iter().flat_map(|one| one.function.packed());
+        let written = functions.iter().flat_map(|one| one.request.packed());
         let written: BTreeSet<Packed> = written.collect();
         let elimination = written.contains(&Packed::Factors);
         let packed = written.into_iter();

@@ -26,7 +26,7 @@ impl Pattern {
     pub(in crate::listing) fn of(functions: &[Emittable]) -> Vec<Self> {
         let mut known = BTreeSet::new();
         let patterns = functions.iter().filter_map(|emittable| {
-            let function = emittable.function.compact()?;
+            let function = emittable.request.compact()?;
             let blocks = &emittable.blocks;
             known.insert(function.name).then(|| Self {
                 function: function.name,

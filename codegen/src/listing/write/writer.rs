@@ -64,7 +64,7 @@ impl<'a> FunctionWriter<'a> {
 
     fn function(&self, place: usize) -> Function {
         let emittable = &self.compiled.functions[place];
-        let (request, program) = (&emittable.function, &emittable.program);
+        let (request, program) = (&emittable.request, &emittable.program);
         let signature = request.signature();
         let arguments = request.arguments();
         let scratch = Scratch::of(program, signature.arguments.len());
@@ -84,7 +84,7 @@ impl<'a> FunctionWriter<'a> {
         let helpers = helpers.collect();
         Function {
             arguments,
-            alone: request.alone().cloned(),
+            catalogue_part: request.catalogue_part().cloned(),
             derivative_trait: request.derivative_trait(),
             pattern: self.pattern(place),
             formulation: emittable.formulation,
@@ -124,7 +124,7 @@ impl<'a> FunctionWriter<'a> {
     /// The pattern that stands before the function at this place: before the first that writes such an output.
     fn pattern(&self, place: usize) -> Option<usize> {
         let functions = &self.compiled.functions;
-        let name = |one: &Emittable| one.function.compact().map(|function| function.name);
+        let name = |one: &Emittable| one.request.compact().map(|function| function.name);
         let own = name(&functions[place])?;
         let first = functions.iter().position(|other| name(other) == Some(own));
         let mut patterns = self.facts.patterns.iter();

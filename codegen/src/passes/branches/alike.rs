@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::{
     id::BodyId,
-    tree::{Joint, Tree},
+    tree::{CoordinateKind, Joint, Tree},
 };
 
 /// One is alone.
@@ -30,6 +30,28 @@ pub(super) struct Branch {
 
 /// All teams; no two share a body.
 pub(super) struct Branches(Vec<Team>);
+
+/// By which coordinates and speeds a joint moves.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Moves {
+    coordinates: Vec<CoordinateKind>,
+    /// Which of the six motions have a speed.
+    motions: Vec<usize>,
+    /// True where those about axes are components of an angular velocity, false where they are rates.
+    has_angular_velocity: bool,
+}
+
+impl Moves {
+    fn of(joint: &Joint) -> Self {
+        let coordinates = joint.coordinates().into_iter();
+        let motions = joint.speeds().into_iter();
+        Self {
+            coordinates: coordinates.map(|(kind, _)| kind).collect(),
+            motions: motions.map(|(motion, _)| motion).collect(),
+            has_angular_velocity: joint.angular_velocity().is_some(),
+        }
+    }
+}
 
 impl Branches {
     /// Branches within those of a team go with these.
@@ -112,14 +134,14 @@ fn teams_of(tree: &Tree, kinds: &[usize], uppers: &[BodyId]) -> Vec<Team> {
 
 /// For each body, what kind of branch it begins: by its joint, and by the kinds of those that begin on it.
 fn kinds(tree: &Tree) -> Vec<usize> {
-    let mut known: BTreeMap<(String, Vec<usize>), usize> = BTreeMap::new();
+    let mut known: BTreeMap<(Moves, Vec<usize>), usize> = BTreeMap::new();
     let mut kinds = vec![0; tree.bodies.len()];
     for body in tree.body_ids().rev() {
         let uppers = tree.uppers(body).iter();
         let mut uppers: Vec<usize> = uppers.map(|upper| kinds[upper.index()]).collect();
         uppers.sort_unstable();
         let next = known.len();
-        let kind = (moves(&tree.body(body).joint), uppers);
+        let kind = (Moves::of(&tree.body(body).joint), uppers);
         kinds[body.index()] = *known.entry(kind).or_insert(next);
     }
     kinds
@@ -136,14 +158,4 @@ fn branch(tree: &Tree, kinds: &[usize], first: BodyId) -> Vec<BodyId> {
         open.extend(uppers.into_iter().rev());
     }
     bodies
-}
-
-/// By which coordinates and speeds a joint moves.
-fn moves(joint: &Joint) -> String {
-    let coordinates = joint.coordinates().into_iter().map(|(kind, _)| kind.name());
-    let motions = joint
-        .speeds()
-        .into_iter()
-        .map(|(motion, _)| joint.motion_names()[motion]);
-    coordinates.chain(motions).collect::<Vec<_>>().join(" ")
 }

@@ -15,7 +15,8 @@ use crate::{
 /// A type for each frame, in a module of their own; none where no function is of a frame.
 pub(super) fn types(module: &Module) -> Option<Item> {
     let functions = module.functions.iter();
-    let subjects = functions.filter_map(|function| function.alone.as_ref()?.subject.as_ref());
+    let subjects =
+        functions.filter_map(|function| function.catalogue_part.as_ref()?.subject.as_ref());
     let frames: BTreeMap<&str, &str> = subjects
         .flat_map(|subject| &subject.frames)
         .map(|frame| (frame.identifier.as_str(), frame.name.as_str()))

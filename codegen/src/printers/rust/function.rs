@@ -29,7 +29,7 @@ pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
     items.push(item(facts, function));
     items.extend(
         function
-            .alone
+            .catalogue_part
             .as_ref()
             .and_then(|part| trait_impl(function, part)),
     );

@@ -28,8 +28,8 @@ pub(super) fn is_pictured(tree: &Tree) -> bool {
 
 /// True for a function of the default set.
 pub(super) fn is_default(count: &Counts) -> bool {
-    let alone = count.function.alone();
-    alone.is_some_and(|part| part.function.is_default)
+    let part = count.function.catalogue_part();
+    part.is_some_and(|part| part.function.is_default)
 }
 
 pub(super) fn operations(count: &Counts, formulation: Formulation) -> Option<Operations> {

@@ -3,7 +3,7 @@
 use super::forces::add_mechanics;
 use crate::{
     expr::{Expr, ExprGraph, Input, LANES, Purpose},
-    functions::{argument::Argument, function::Jacobians, roots::dynamics},
+    functions::{argument::Argument, formulation::Way, function::Jacobians, roots::dynamics},
     given::{self, Accelerations, Loads, mechanics, orientation},
     id::{BodyId, SpeedId},
     recursive::{
@@ -265,7 +265,7 @@ fn turned_roots(
 ) -> Vec<(SpeedId, Vec<Expr>)> {
     let zero = Accelerations::Zero;
     let none = vec![graph.zero(); tree.n_speeds];
-    let taken = dynamics::with_forces(graph, tree, None, zero, none);
+    let taken = dynamics::with_forces(graph, tree, Way::Notes, zero, none);
     let mut net = dynamics::applied(graph, tree);
     solve::subtract(graph, tree, &mut net, &taken);
     let gravity = given::acting_gravity(graph, tree);

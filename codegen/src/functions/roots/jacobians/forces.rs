@@ -4,8 +4,8 @@ use crate::{
     differentiate::{Row, Seeds, forward, reverse},
     expr::ExprGraph,
     functions::{
-        argument::Argument, derivatives::derivative::entries, function::Jacobians, roots::dynamics,
-        variable::Variable,
+        argument::Argument, derivatives::derivative::entries, formulation::Way,
+        function::Jacobians, roots::dynamics, variable::Variable,
     },
     given::{Accelerations, Loads},
     recursive::{
@@ -127,7 +127,7 @@ pub(super) fn add_mechanics(
     all: &mut [(Argument, SpeedMatrix)],
 ) {
     let none = vec![graph.zero(); tree.n_speeds];
-    let acting = dynamics::with_forces(graph, tree, Some(plan), accelerations, none);
+    let acting = dynamics::with_forces(graph, tree, Way::Recursive(plan), accelerations, none);
     let mut seeds = Seeds::new();
     for (place, (argument, _)) in all.iter().enumerate() {
         let first = place * tree.n_speeds;
