@@ -26,7 +26,7 @@ pub fn cheapest(plans: &Plans<'_>, request: &Request) -> Planned {
     let &Plans { tree, without, .. } = plans;
     if !request.differentiates() {
         let plan = plans.of_values(request);
-        let ways = with_matrices_apart(request, vec![plan]);
+        let ways = with_parts_apart(request, vec![plan]);
         let best = fewest(tree, request, ways);
         return if request.inverts() {
             in_lockstep(plans, request, best)
@@ -60,7 +60,7 @@ pub fn cheapest(plans: &Plans<'_>, request: &Request) -> Planned {
             ways.extend([&way, &columns].map(|plan| plan.with(Technique::DirectDerivatives, true)));
         }
     }
-    let best = fewest(tree, request, with_matrices_apart(request, ways));
+    let best = fewest(tree, request, with_parts_apart(request, ways));
     if best.plan.uses(Technique::DirectDerivatives) {
         in_lockstep(plans, request, best)
     } else {
@@ -73,15 +73,13 @@ fn fewest(tree: &Tree, request: &Request, ways: Vec<Plan>) -> Planned {
     best.expect("cheapest: one way has the least")
 }
 
-/// These, and the same with each matrix in its own way, where it may be read off what another part of a joined function finds.
-fn with_matrices_apart(request: &Request, mut ways: Vec<Plan>) -> Vec<Plan> {
-    if request.may_read_off() {
-        let apart: Vec<Plan> = ways
-            .iter()
-            .map(|way| way.with_matrices_apart(true))
-            .collect();
-        ways.extend(apart);
-    }
+/// These, and those among them by which one part of a joined function tells another with each part in its own way. Of two that take
+/// as many operations the first is chosen.
+fn with_parts_apart(request: &Request, mut ways: Vec<Plan>) -> Vec<Plan> {
+    let tells = |way: &&Plan| request.may_read_off(way);
+    let telling = ways.iter().filter(tells);
+    let apart: Vec<Plan> = telling.map(|way| way.with_parts_apart(true)).collect();
+    ways.extend(apart);
     ways
 }
 

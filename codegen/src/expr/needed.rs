@@ -40,6 +40,18 @@ impl ExprGraph {
         self.uses(roots).into_iter().map(|uses| uses > 0).collect()
     }
 
+    /// For each node, whether it depends on such an input, or on what a call returns.
+    pub fn varies(&self, is_such: impl Fn(Input) -> bool) -> Vec<bool> {
+        let mut varies = vec![false; self.len()];
+        for id in self.ids() {
+            varies[id.index()] = match self.node(id) {
+                Node::Input(input) => is_such(input) || matches!(input, Input::CallResult(_)),
+                node => node.operands().any(|operand| varies[operand.index()]),
+            };
+        }
+        varies
+    }
+
     /// How many nodes `roots` need, their own among them.
     pub fn n_needed(&self, roots: &[Expr]) -> usize {
         let needed = self.reachable(roots);

@@ -356,28 +356,33 @@ impl Request {
         let mut told = Told::default();
         for place in self.order() {
             let part = &self.parts[place];
+            derived.graph.enter(None);
             if let Some(entries) = part.told_by(&mut derived.graph, tree, plan, &told) {
                 roots[place] = entries;
                 continue;
             }
-            derived.graph.enter(None);
             let is_shared = is_second && part.is_gradient();
             let plan = if is_shared { &back } else { plan };
-            let is_asked = !plan.keeps_apart() && part.finds_matrix_of_some(&self.parts);
-            told.extend(if is_asked {
-                part.derive_telling(&mut derived, tree, formulation, plan)
+            let is_asked = !plan.derives_apart() && part.finds_matrix_of_some(&self.parts);
+            let found = if is_asked {
+                part.derive_with_matrices(&mut derived, tree, formulation, plan)
             } else {
                 part.derive_in(&mut derived, tree, formulation, plan)
-            });
+            };
+            told.extend(found, part.derivative.is_some());
             roots[place] = std::mem::take(&mut derived.roots);
         }
         derived.roots = roots.concat();
         derived
     }
 
-    /// True where a matrix that one part writes may be read off what another finds.
-    pub fn may_read_off(&self) -> bool {
-        let mut parts = self.parts.iter();
+    /// True where by this plan a part may be read off what another finds.
+    pub fn may_read_off(&self, plan: &Plan) -> bool {
+        let is_direct = plan.uses(Technique::DirectDerivatives);
+        let mut parts = self
+            .parts
+            .iter()
+            .filter(|part| is_direct || part.derivative.is_none());
         parts.any(|part| part.finds_matrix_of_some(&self.parts))
     }
 

@@ -12,6 +12,8 @@ use crate::{
 pub(super) enum KnownMatrix {
     /// The mass matrix, rotors included.
     Mass,
+    /// Its rate.
+    MassDot,
     /// Its inverse.
     MassInverse,
     /// The Coriolis matrix.
@@ -54,10 +56,15 @@ impl Told {
         self
     }
 
-    /// With what another part told.
-    pub(super) fn extend(&mut self, other: Self) {
+    /// With what another part told, which is taken first if that part is a derivative: it may write the matrix itself.
+    pub(super) fn extend(&mut self, other: Self, is_derivative: bool) {
         self.values.extend(other.values);
-        self.matrices.extend(other.matrices);
+        let place = if is_derivative {
+            0
+        } else {
+            self.matrices.len()
+        };
+        self.matrices.splice(place..place, other.matrices);
     }
 
     /// A matrix, if it is known.

@@ -88,7 +88,7 @@ pub struct Plan {
     regroup: Vec<Regroup>,
     parallel: Vec<bool>,
     calls_twice: bool,
-    keeps_apart: bool,
+    derives_apart: bool,
 }
 
 /// How much second moment along its axis a link gives its lower link, with all mass and first moment along it: so much that
@@ -122,7 +122,7 @@ impl Plan {
             regroup: vec![Regroup::Second; tree.bodies.len()],
             parallel: vec![true; tree.bodies.len()],
             calls_twice: false,
-            keeps_apart: false,
+            derives_apart: false,
         }
     }
 
@@ -172,16 +172,16 @@ impl Plan {
         }
     }
 
-    /// True where each matrix of a joined function is derived in its own way, though another part finds it.
-    pub fn keeps_apart(&self) -> bool {
-        self.keeps_apart
+    /// True where each part of a joined function is derived in its own way, though others find what it could be read off.
+    pub fn derives_apart(&self) -> bool {
+        self.derives_apart
     }
 
-    /// The same with matrices each in its own way, or read off what other parts find.
+    /// The same with each part in its own way, or read off what other parts find.
     #[must_use]
-    pub fn with_matrices_apart(&self, keeps_apart: bool) -> Self {
+    pub fn with_parts_apart(&self, derives_apart: bool) -> Self {
         Self {
-            keeps_apart,
+            derives_apart,
             ..self.clone()
         }
     }

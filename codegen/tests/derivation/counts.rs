@@ -151,10 +151,12 @@ fn matrices_of_robots() {
 }
 
 /// Of all derivatives of forces, of those that an integrator needs, and of accelerations.
-const DERIVATIVES: [&str; 3] = [
+const DERIVATIVES: [&str; 5] = [
     "d(inverse_dynamics)/d(q, u, u_dot)",
     "inverse_dynamics+d(inverse_dynamics)/d(q, u)",
     "d(forward_dynamics)/d(q, u, tau)",
+    "d(mass_matrix_product)/d(q, u_dot)",
+    "d(mass_matrix_solve)/d(q, tau)",
 ];
 
 #[test]

@@ -83,6 +83,8 @@ fn all_ways_give_the_same_derivatives() {
             "d(bias)/d(q, u)",
             "d(forward_dynamics)/d(q, u, tau)",
             "d(loaded_forward_dynamics)/d(q, u, tau)",
+            "d(mass_matrix_product)/d(q, u_dot)",
+            "d(mass_matrix_solve)/d(q, tau)",
         ] {
             let request = request(&tree, text);
             let all = ways(&tree).map(|(formulation, plan)| {

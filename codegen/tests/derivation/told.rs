@@ -1,18 +1,21 @@
 //! What one part of a joined function tells another, against the notes' equations of each.
 
 use kane_codegen::{
+    description::Reading,
     functions::Formulation,
     recursive::{Plan, Technique},
+    tree::Tree,
 };
 use kane_test_support::{compare::assert_within, dynamics::State, systems::trees};
 
 use crate::{
+    compiled::read,
     derivatives::{EXACT, INVERTED, inverts},
     frames::{evaluate_by, relative, request, system},
 };
 
 /// Parts of which one finds what others need.
-const TOLD: [&[&str]; 5] = [
+const TOLD: [&[&str]; 9] = [
     &[
         "mass_matrix",
         "bias",
@@ -22,6 +25,14 @@ const TOLD: [&[&str]; 5] = [
     ],
     &["d(inverse_dynamics)/d(u_dot, q)", "mass_matrix"],
     &["mass_matrix_packed", "d(forcing)/d(u)"],
+    &["mass_matrix", "d(mass_matrix_product)/d(q)"],
+    &["mass_matrix_inverse", "d(mass_matrix_solve)/d(q)"],
+    &[
+        "mass_matrix_inverse_packed",
+        "hessian(forward_dynamics; q, u)",
+        "forward_dynamics",
+    ],
+    &["coriolis_matrix", "d(bias)/d(u, q)", "mass_matrix"],
     &["mass_matrix", "packed(d(bias)/d(q))"],
     &[
         "mass_matrix_inverse",
@@ -30,6 +41,60 @@ const TOLD: [&[&str]; 5] = [
         "mass_matrix_inverse_packed",
     ],
 ];
+
+fn operations(tree: &Tree, text: &str, plan: &Plan) -> usize {
+    let derived = request(tree, text).derive(tree, Formulation::Recursive, plan);
+    derived.graph.n_operations(&derived.roots)
+}
+
+#[test]
+fn what_is_told_saves_operations() {
+    let reading = Reading::default();
+    let tree = read("tests/robots/panda/panda.urdf", &reading);
+    let told = Plan::full(&tree).with(Technique::Lockstep, false);
+    for parts in TOLD {
+        let text = parts.join("+");
+        let [together, apart] =
+            [&told, &told.with_parts_apart(true)].map(|plan| operations(&tree, &text, plan));
+        // There the inverse is the same, node by node.
+        let least_saved = usize::from(!text.contains("mass_matrix_solve"));
+        assert!(
+            together + least_saved <= apart,
+            "{text}: {together} of {apart}"
+        );
+    }
+}
+
+#[test]
+fn the_order_of_parts_does_not_matter() {
+    let reading = Reading::default();
+    let tree = read("tests/robots/panda/panda.urdf", &reading);
+    let told = Plan::full(&tree).with(Technique::Lockstep, false);
+    let orders = [
+        "coriolis_matrix+d(inverse_dynamics)/d(u_dot)+mass_matrix",
+        "mass_matrix+d(inverse_dynamics)/d(u_dot)+coriolis_matrix",
+        "d(inverse_dynamics)/d(u_dot)+coriolis_matrix+mass_matrix",
+    ];
+    let [first, second, third] = orders.map(|text| operations(&tree, text, &told));
+    assert_eq!([first, first], [second, third]);
+}
+
+#[test]
+fn the_rate_of_the_mass_matrix_has_its_zeros_beside_the_coriolis_matrix() {
+    for seed in trees::tried(571..=594) {
+        let (_, tree) = system(seed);
+        let zeros = |text: &str| {
+            let request = request(&tree, text);
+            let derived = request.derive(&tree, Formulation::Recursive, &Plan::full(&tree));
+            let roots = derived.roots.iter();
+            let rate = roots.take(tree.n_speeds * tree.n_speeds);
+            rate.map(|root| derived.graph.is_zero(*root))
+                .collect::<Vec<bool>>()
+        };
+        let alone = zeros("mass_matrix_dot");
+        assert_eq!(zeros("mass_matrix_dot+coriolis_matrix"), alone, "{seed}");
+    }
+}
 
 #[test]
 fn what_is_told_is_what_the_notes_say() {
@@ -52,7 +117,7 @@ fn what_is_told_is_what_the_notes_say() {
             let joined = request(&tree, &text);
             let full = Plan::full(&tree);
             let one_by_one = full.with(Technique::Lockstep, false);
-            for plan in [&full, &one_by_one, &full.with_matrices_apart(true)] {
+            for plan in [&full, &one_by_one, &full.with_parts_apart(true)] {
                 let found = evaluate_by(&tree, &joined, Formulation::Recursive, plan, &state);
                 let allowed = if inverts(&text) { INVERTED } else { EXACT };
                 assert_within(

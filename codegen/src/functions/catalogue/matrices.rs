@@ -107,7 +107,11 @@ pub(super) const CORIOLIS_MATRIX: Function = Function {
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("c", Shape::SPEED_MATRIX)],
     beside: Some(Beside {
-        matrices: &[KnownMatrix::Mass, KnownMatrix::Coriolis],
+        matrices: &[
+            KnownMatrix::Mass,
+            KnownMatrix::MassDot,
+            KnownMatrix::Coriolis,
+        ],
         derive: roots::coriolis::coriolis_matrix_beside,
     }),
     doc: &[
@@ -126,8 +130,8 @@ pub(super) const MASS_MATRIX_DOT: Function = Function {
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("m_dot", Shape::SPEED_MATRIX)],
     read_off: Some(ReadOff {
-        matrix: KnownMatrix::Coriolis,
-        entries: roots::coriolis::mass_matrix_dot_of_coriolis,
+        matrix: KnownMatrix::MassDot,
+        entries: roots::matrices::whole,
     }),
     doc: &[
         "Rate of the mass matrix of Eq. (42) for the motion `u`, `M_dot = C + C^T`: symmetric, every entry written. Also known as time derivative of the joint-space inertia.",

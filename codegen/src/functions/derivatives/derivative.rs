@@ -10,6 +10,7 @@ use crate::{
         argument::Argument, derived::Derived, function::Output, multiplier::Multiplier,
         shape::Shape, variable::Variable,
     },
+    recursive::{Plan, Technique},
     tree::Tree,
 };
 
@@ -49,6 +50,15 @@ pub struct Derivative {
     pub by: Vec<Variable>,
     /// Which of its entries are not structurally zero.
     sparsity: LazySparsity,
+}
+
+/// The way in which a plan sweeps for derivatives.
+pub(in crate::functions) fn sweep(plan: &Plan) -> Sweep {
+    if plan.uses(Technique::Reverse) {
+        Sweep::Reverse
+    } else {
+        Sweep::Forward
+    }
 }
 
 impl Derivative {

@@ -26,7 +26,7 @@ use crate::{
 type Matrix = Vec<Vec<Expr>>;
 
 /// True for what the way of dynamics knows: all that they are given but loads.
-fn is_known(variable: &Variable) -> bool {
+pub(in crate::functions) fn is_known(variable: &Variable) -> bool {
     matches!(variable, Variable::Given(own) if *own != Argument::Loads)
 }
 

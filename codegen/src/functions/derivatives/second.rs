@@ -7,16 +7,21 @@
 use std::collections::BTreeMap;
 
 use super::{
-    derivative::{Derivative, DerivativeKind, entries, gradient, symmetric},
+    derivative::{Derivative, DerivativeKind, entries, gradient, sweep, symmetric},
     solved::{Solution, lacking},
 };
 use crate::{
-    differentiate::{forward, reverse},
     expr::{Expr, ExprGraph, Input},
     functions::{
-        argument::Argument, derived::Derived, formulation::Formulation,
-        function::InverseDynamicsFn, part::Part, variable::Variable,
+        argument::Argument,
+        derived::Derived,
+        formulation::Formulation,
+        function::{InverseDynamicsFn, Jacobians},
+        part::Part,
+        told::Told,
+        variable::Variable,
     },
+    given::Accelerations,
     recursive::{Plan, Technique, accelerations::inverse_mass, derivatives},
     solve,
     tree::Tree,
@@ -25,6 +30,8 @@ use crate::{
 /// Accelerations, how they change, and what weighs the forces that are lacking.
 struct First {
     u_dot: Vec<Expr>,
+    /// What was found of other parts.
+    told: Told,
     /// `Y`: a row for each acceleration, a column for each entry of the variables.
     rows: Vec<Vec<Expr>>,
     /// `M^-1 multiplier`.
@@ -42,13 +49,13 @@ struct Second {
 impl Part {
     /// True where `L_xa` is swept for beside `L_xx`: the mass matrix depends on parameters too, and without speeds both sweeps share
     /// most of their work.
-    fn sweeps_by_accelerations(&self, derivative: &Derivative) -> bool {
+    pub(in crate::functions) fn sweeps_by_accelerations(&self, derivative: &Derivative) -> bool {
         let is_given = |variable: &Variable| matches!(variable, Variable::Given(_));
         let has_speeds = self.function.arguments.contains(&Argument::U);
         !(has_speeds && derivative.by.iter().all(is_given))
     }
 
-    /// Derives these second derivatives of accelerations that need such forces. Returns the accelerations.
+    /// Derives these second derivatives of accelerations that need such forces. Returns what it found of other parts.
     pub(in crate::functions) fn derive_second(
         &self,
         derived: &mut Derived,
@@ -56,7 +63,7 @@ impl Part {
         (formulation, plan): (Formulation, &Plan),
         derivative: &Derivative,
         inverse_dynamics: InverseDynamicsFn,
-    ) -> Vec<Expr> {
+    ) -> Told {
         let sparsity = self.sparsity(tree);
         let places = sparsity.as_ref().map_or(&[][..], |own| &own.places);
         let multipliers = derivative.arguments(self.function.outputs, 0);
@@ -83,7 +90,7 @@ impl Part {
         graph.enter(None);
         let changes = second.with_accelerations(graph, &first.rows, places);
         derived.roots.extend(changes);
-        first.u_dot
+        first.told
     }
 
     /// First derivatives, and what they leave.
@@ -123,12 +130,21 @@ impl Part {
             Some(inverse) => solve::product(graph, inverse, &weights),
             None => inverse_mass::solution(graph, tree, one_by_one, weights),
         };
-        let u_dot = told.and_then(|told| told.values);
+        let u_dot = told.as_ref().and_then(|told| told.values.clone());
         let u_dot = u_dot.unwrap_or_else(|| {
             self.derive_values(derived, tree, formulation, one_by_one);
             derived.roots.split_off(begin)
         });
+        let name = self.values().name();
+        let matrices = told.map(|told| Jacobians {
+            values: None,
+            ..told
+        });
+        let matrices = matrices.map(|told| told.told(name.clone()));
         First {
+            told: matrices
+                .unwrap_or_default()
+                .with_values(name, Some(u_dot.clone())),
             u_dot,
             rows,
             weights,
@@ -145,16 +161,18 @@ impl Derivative {
         plan: &Plan,
         weights: &[Expr],
     ) -> Vec<Vec<Expr>> {
-        let found = derivatives::of_mass_matrix_product(graph, tree, plan).by_q;
-        let weights = Argument::UDot.inputs(tree).zip(weights.iter().copied());
-        let by_q = graph.substituted(&found.concat(), &weights.collect());
+        let by_q = Variable::Given(Argument::Q);
+        let columns = self.by.contains(&by_q).then(|| {
+            let accelerations = Accelerations::Values(weights);
+            let found = derivatives::of_mass_matrix_product(graph, tree, plan, accelerations);
+            solve::transposed(&found.by_q)
+        });
         let zero = vec![graph.zero(); tree.n_speeds];
         let mut rows = Vec::new();
         for variable in &self.by {
-            if *variable == Variable::Given(Argument::Q) {
-                let column = |own: usize| by_q[own..].iter().step_by(tree.n_speeds);
-                let columns = (0..tree.n_speeds).map(column);
-                rows.extend(columns.map(|own| own.map(|entry| -*entry).collect()));
+            if let Some(columns) = columns.as_ref().filter(|_| *variable == by_q) {
+                let columns = columns.iter().map(|own| own.iter().map(|entry| -*entry));
+                rows.extend(columns.map(Iterator::collect));
             } else {
                 rows.resize(rows.len() + variable.n_entries(tree), zero.clone());
             }
@@ -179,9 +197,7 @@ impl Derivative {
         let all = n_columns..n_columns + accelerations.len();
         let accelerations = accelerations.into_iter().zip(all.clone());
         seeds.extend(accelerations.map(|(input, column)| (input, vec![(column, one)])));
-        let is_reverse = plan.uses(Technique::Reverse);
-        let sweep = if is_reverse { reverse } else { forward };
-        let rows = sweep(graph, &gradient, &seeds);
+        let rows = sweep(plan).rows(graph, &gradient, &seeds);
         let mixed = rows.iter().map(|row| entries(graph, row, all.clone()));
         Second {
             mixed: mixed.collect(),

@@ -2,9 +2,11 @@
 
 use super::Part;
 use crate::{
-    differentiate::Sweep,
     functions::{
-        derivatives::{derivative::Asked, solved::Solution},
+        derivatives::{
+            derivative::{Asked, sweep},
+            solved::Solution,
+        },
         derived::Derived,
         formulation::Formulation,
         told::Told,
@@ -76,8 +78,7 @@ impl Part {
             && let Some(forces) = self.function.inverse_dynamics
         {
             let by = (formulation, plan);
-            let values = self.derive_second(derived, tree, by, derivative, forces);
-            return Told::default().with_values(self.values().name(), Some(values));
+            return self.derive_second(derived, tree, by, derivative, forces);
         }
         // No sweep goes through calls.
         let is_swept = self.derivative.is_some();
@@ -104,18 +105,13 @@ impl Part {
                 derivative.apply_to_solution(derived, tree, plan, &solution, asked);
                 return Told::default();
             }
-            let sweep = if plan.uses(Technique::Reverse) {
-                Sweep::Reverse
-            } else {
-                Sweep::Forward
-            };
-            derivative.apply(derived, tree, &values, &sizes, sweep, asked);
+            derivative.apply(derived, tree, &values, &sizes, sweep(plan), asked);
         }
         Told::default()
     }
 
     /// The same where others ask for what its recursion finds beside its entries.
-    pub(in crate::functions) fn derive_telling(
+    pub(in crate::functions) fn derive_with_matrices(
         &self,
         derived: &mut Derived,
         tree: &Tree,

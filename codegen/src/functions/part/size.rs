@@ -68,11 +68,11 @@ impl Part {
                 forward,
                 reverse: 1,
             },
-            // Its gradient has an entry for each variable, and changes with accelerations where these are solved for.
+            // Its gradient has an entry for each variable, and changes with accelerations where these are swept for.
             DerivativeKind::Hessian => Rows {
                 forward: match self.function.inverse_dynamics {
-                    Some(_) => forward + tree.n_speeds,
-                    None => forward,
+                    Some(_) if self.sweeps_by_accelerations(derivative) => forward + tree.n_speeds,
+                    _ => forward,
                 },
                 reverse: forward,
             },

@@ -3,7 +3,10 @@
 use super::Part;
 use crate::{
     expr::{Expr, ExprGraph},
-    functions::told::{ReadOff, Told},
+    functions::{
+        derivatives::{derivative::Derivative, jacobians},
+        told::{ReadOff, Told},
+    },
     recursive::Plan,
     tree::Tree,
 };
@@ -31,10 +34,16 @@ impl Part {
         let function = self.function;
         let found = match &self.derivative {
             None => function.beside.map_or(&[][..], |own| own.matrices),
-            Some(_) if self.is_whole_derivative() => function.derivatives_tell,
+            Some(derivative) if self.finds_matrices(derivative) => function.derivatives_tell,
             Some(_) => &[],
         };
         other.derivative.is_none() && found.contains(matrix)
+    }
+
+    /// True where its derivatives come from matrices, its own or those that second ones are made of.
+    fn finds_matrices(&self, derivative: &Derivative) -> bool {
+        let is_second = self.is_second_derivative() && self.function.inverse_dynamics.is_some();
+        (self.is_whole_derivative() || is_second) && derivative.by.iter().any(jacobians::is_known)
     }
 
     /// Its entries, if others told them.
@@ -51,7 +60,7 @@ impl Part {
         let Some(ReadOff { matrix, entries }) = self.function.read_off else {
             return told.values(&self.name()).cloned();
         };
-        if plan.keeps_apart() {
+        if plan.derives_apart() {
             return None;
         }
         let matrix = told.matrix(matrix)?;

@@ -2,7 +2,7 @@
 
 use super::dynamics::with_rotors;
 use crate::{
-    expr::{Expr, ExprGraph, Purpose},
+    expr::{Expr, ExprGraph, Input, Purpose},
     functions::{
         argument::Argument,
         formulation::Way,
@@ -27,35 +27,39 @@ pub(in crate::functions) fn coriolis_matrix(
     matrix.concat()
 }
 
-/// With the mass matrix, which its columns hold.
+/// With the mass matrix, which its columns hold, and its rate.
 pub(in crate::functions) fn coriolis_matrix_beside(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
 ) -> (Vec<Expr>, Told) {
     let (c, mass) = recursive::coriolis::coriolis_and_mass_matrix(graph, tree, plan);
+    let rate = rate(graph, tree, &c, &mass);
     let mass = with_rotors(graph, tree, mass);
     let entries = c.concat();
-    let told = Told::default().with(KnownMatrix::Mass, mass);
-    (entries, told.with(KnownMatrix::Coriolis, c))
+    let told = Told::default()
+        .with(KnownMatrix::Mass, mass)
+        .with(KnownMatrix::MassDot, rate)
+        .with(KnownMatrix::Coriolis, c);
+    (entries, told)
 }
 
-/// `M_dot = C + C^T`.
-pub(in crate::functions) fn mass_matrix_dot_of_coriolis(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    _: &Plan,
-    c: &SpeedMatrix,
-) -> Vec<Expr> {
+/// `M_dot = C + C^T`, zero where the mass matrix depends on no coordinate.
+fn rate(graph: &mut ExprGraph, tree: &Tree, c: &SpeedMatrix, mass: &SpeedMatrix) -> SpeedMatrix {
+    graph.begin(Purpose::Composite);
     let bodies = tree.speed_bodies();
+    let varies =
+        graph.varies(|input| matches!(input, Input::Q(_) | Input::Sine(_) | Input::Cosine(_)));
     let mut rate = solve::zero_matrix(graph, tree.n_speeds);
     for [row, column] in tree.coupled_speeds() {
-        graph.enter(bodies[row]);
-        let entry = graph.add(c[row][column], c[column][row]);
-        rate[row][column] = entry;
-        rate[column][row] = entry;
+        if varies[mass[row][column].node().index()] {
+            graph.enter(bodies[row]);
+            let entry = graph.add(c[row][column], c[column][row]);
+            rate[row][column] = entry;
+            rate[column][row] = entry;
+        }
     }
-    rate.concat()
+    rate
 }
 
 /// `C u`, weight, springs and dampers: all that bodies need at zero accelerations.

@@ -61,11 +61,17 @@ pub fn of_inverse_dynamics(
     on_links(graph, linkage, accelerations, loads, wanted)
 }
 
-/// Those of `A y_dot` alone by coordinates and accelerations, of a system at rest without weight.
-pub fn of_mass_matrix_product(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Derivatives {
-    let linkage = Linkage::weightless(graph, tree, plan);
-    let (given, wanted) = (Accelerations::Given, Wanted::ALL);
-    let found = on_links(graph, linkage, given, Loads::Absent, wanted);
+/// Those of `A y_dot` alone by coordinates and accelerations, of a system at rest without weight. The accelerations depend on no speeds.
+pub fn of_mass_matrix_product(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    accelerations: Accelerations<'_>,
+) -> Derivatives {
+    // What depends on speeds falls away afterwards, which it does not in calls.
+    let one_by_one = plan.with(Technique::Lockstep, false);
+    let linkage = Linkage::weightless(graph, tree, &one_by_one);
+    let found = on_links(graph, linkage, accelerations, Loads::Absent, Wanted::ALL);
     let at_rest = (0..tree.n_speeds).map(|speed| (Input::U(SpeedId::new(speed)), graph.zero()));
     let at_rest = at_rest.collect();
     let [by_q, by_u_dot] = [found.by_q, found.by_u_dot].map(|matrix| {

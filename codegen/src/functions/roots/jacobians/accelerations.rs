@@ -53,22 +53,13 @@ pub(in crate::functions) fn mass_matrix_solve(
     tree: &Tree,
     plan: &Plan,
 ) -> Jacobians {
-    let inverse = inverse_mass::inverse(graph, tree, plan);
     let tau = dynamics::applied(graph, tree);
-    let u_dot = solve::product(graph, &inverse, &tau);
-    // What depends on speeds falls away afterwards, which it does not in calls.
-    let plan = &plan.with(Technique::Lockstep, false);
-    let needed = derivatives::of_mass_matrix_product(graph, tree, plan).by_q;
-    let values = Argument::UDot.inputs(tree).zip(u_dot.iter().copied());
-    let needed = graph.substituted(&needed.concat(), &values.collect());
-    let columns = (0..tree.n_speeds).map(|own| {
-        let column: Vec<Expr> = needed[own..]
-            .iter()
-            .step_by(tree.n_speeds)
-            .copied()
-            .collect();
-        negated(solve::product(graph, &inverse, &column))
-    });
+    let u_dot = inverse_mass::solution(graph, tree, plan, tau);
+    let inverse = inverse_mass::inverse(graph, tree, plan);
+    let accelerations = Accelerations::Values(&u_dot);
+    let needed = derivatives::of_mass_matrix_product(graph, tree, plan, accelerations);
+    let columns = solve::transposed(&needed.by_q).into_iter();
+    let columns = columns.map(|own| negated(solve::product(graph, &inverse, &own)));
     let columns: Vec<Vec<Expr>> = columns.collect();
     Jacobians {
         by: vec![

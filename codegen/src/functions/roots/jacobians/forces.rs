@@ -9,7 +9,7 @@ use crate::{
     },
     given::{Accelerations, Loads},
     recursive::{
-        Plan, Technique,
+        Plan,
         derivatives::{self, Wanted},
         totals::energy,
     },
@@ -54,9 +54,7 @@ pub(in crate::functions) fn mass_matrix_product(
     tree: &Tree,
     plan: &Plan,
 ) -> Jacobians {
-    // What depends on speeds falls away afterwards, which it does not in calls.
-    let plan = &plan.with(Technique::Lockstep, false);
-    let found = derivatives::of_mass_matrix_product(graph, tree, plan);
+    let found = derivatives::of_mass_matrix_product(graph, tree, plan, Accelerations::Given);
     let mass = dynamics::with_rotors(graph, tree, found.by_u_dot);
     Jacobians {
         by: vec![(Argument::Q, found.by_q), (Argument::UDot, mass.clone())],
@@ -105,16 +103,19 @@ fn of_forces(
 ) -> Jacobians {
     let found =
         derivatives::of_inverse_dynamics(graph, tree, plan, accelerations, loads, Wanted::ALL);
-    let mass = found.by_u_dot.clone();
     let mut all = vec![(Argument::Q, found.by_q), (Argument::U, found.by_u)];
-    if accelerations == Accelerations::Given {
+    let mass = if accelerations == Accelerations::Given {
         all.push((Argument::UDot, found.by_u_dot));
-    }
-    add_mechanics(graph, tree, plan, accelerations, &mut all);
+        add_mechanics(graph, tree, plan, accelerations, &mut all);
+        all[2].1.clone()
+    } else {
+        add_mechanics(graph, tree, plan, accelerations, &mut all);
+        dynamics::with_rotors(graph, tree, found.by_u_dot)
+    };
     Jacobians {
         by: all,
         values: None,
-        mass: Some(dynamics::with_rotors(graph, tree, mass)),
+        mass: Some(mass),
     }
 }
 
