@@ -16,6 +16,7 @@ use super::{
     variable::Variable,
 };
 use crate::{
+    differentiate::Sweep,
     expr::ExprGraph,
     recursive::{Plan, Technique},
     solve,
@@ -349,9 +350,11 @@ impl Request {
             graph: ExprGraph::with_capacity(NODES_PER_BODY * tree.bodies.len()),
             ..Derived::default()
         };
-        // Second derivatives go over a gradient that is carried back: one that is asked for beside them is the same.
-        let back = plan.with(Technique::Reverse, true);
-        let is_second = self.is_second_derivative();
+        // Where one row is to be carried it is, whatever is swept beside it. Second derivatives go over a gradient that is carried back: one
+        // that is asked for beside them is the same.
+        let [along, back] = [false, true].map(|back| plan.with(Technique::Reverse, back));
+        let derivatives = self.parts.iter().filter(|part| part.derivative.is_some());
+        let has_several = derivatives.count() > 1;
         let mut roots = vec![Vec::new(); self.parts.len()];
         let mut told = Told::default();
         for place in self.order() {
@@ -361,8 +364,11 @@ impl Request {
                 roots[place] = entries;
                 continue;
             }
-            let is_shared = is_second && part.is_gradient();
-            let plan = if is_shared { &back } else { plan };
+            let plan = match part.one_row_sweep(tree).filter(|_| has_several) {
+                Some(Sweep::Reverse) => &back,
+                Some(Sweep::Forward) => &along,
+                None => plan,
+            };
             let is_asked = !plan.derives_apart() && part.finds_matrix_of_some(&self.parts);
             let found = if is_asked {
                 part.derive_with_matrices(&mut derived, tree, formulation, plan)

@@ -11,6 +11,8 @@ use crate::{
 pub struct Function {
     /// How it is declared, and what it means.
     pub signature: Signature,
+    /// As it is asked for; `None` for what each module has.
+    pub request: Option<String>,
     /// What it is given besides the parameters.
     pub arguments: Vec<Argument>,
     /// The part of a request, where it is one as the catalogue has it.
@@ -42,6 +44,7 @@ impl Function {
     pub(super) fn plain(signature: Signature, operations: Operations, code: Code) -> Self {
         Self {
             signature,
+            request: None,
             arguments: Vec::new(),
             catalogue_part: None,
             derivative_trait: None,

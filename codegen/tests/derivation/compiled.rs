@@ -15,6 +15,8 @@ use kane_codegen::{
     tree::{self, Tree},
 };
 
+use crate::evaluator::product;
+
 /// The model at a path of the repository.
 pub(crate) fn read(path: &str, reading: &Reading) -> Tree {
     tree::build(&described(path, reading)).unwrap().tree
@@ -79,6 +81,7 @@ pub(crate) fn input(tree: &Tree, given: Input) -> f64 {
             let angle = tree.angles()[place].coordinate;
             return libm::cos(input(tree, Input::Q(angle)));
         }
+        Input::Product(of, place) => return product(of, place),
         Input::Parameter(id) => return tree.parameters[id.index()].nominal,
         other => unreachable!("{other:?} is no argument of these functions"),
     };

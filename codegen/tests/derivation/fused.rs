@@ -145,6 +145,21 @@ fn operations_of_robots() {
 }
 
 #[test]
+fn each_derivative_of_a_joined_function_is_swept_for_in_its_own_way() {
+    let reading = Reading::default();
+    let tree = read("tests/robots/panda/panda.urdf", &reading);
+    let count = |name: &str| alone(&tree, name).0.operations.total();
+    for parts in [
+        ["vjp(inverse_dynamics; q, u)", "jvp(inverse_dynamics; q, u)"],
+        ["jvp(inverse_dynamics; q, u)", "d(kinetic_energy)/d(q, u)"],
+    ] {
+        let joined = count(&parts.join("+"));
+        let apart: usize = parts.iter().map(|part| count(part)).sum();
+        assert!(joined < apart, "{parts:?}: {joined} of {apart}");
+    }
+}
+
+#[test]
 fn the_page_of_functions_has_the_counts_of_what_is_read_off_the_coriolis_matrix() {
     let reading = Reading::default();
     let tree = read("tests/robots/panda/panda.urdf", &reading);

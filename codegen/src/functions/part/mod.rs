@@ -153,12 +153,6 @@ impl Part {
         outputs.any(|output| output.shape == Shape::ENTRIES)
     }
 
-    /// True where the product of a multiplier with derivatives is asked for.
-    pub(super) fn is_gradient(&self) -> bool {
-        let mut derivative = self.derivative.iter();
-        derivative.any(|derivative| derivative.kind == DerivativeKind::Vjp)
-    }
-
     /// True where second derivatives are asked for.
     pub(super) fn is_second_derivative(&self) -> bool {
         self.second_derivative().is_some()

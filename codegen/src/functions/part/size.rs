@@ -2,6 +2,7 @@
 
 use super::{Part, rows::Rows};
 use crate::{
+    differentiate::Sweep,
     expr::ExprGraph,
     functions::{
         argument::Argument,
@@ -50,6 +51,18 @@ impl Part {
         let by = by.filter(|variable| **variable != Variable::Given(Argument::Tau));
         let n_swept: usize = by.map(|variable| variable.n_entries(tree)).sum();
         SLOPES * graph.len() * n_swept + tree.n_speeds * n_swept * n_variables
+    }
+
+    /// The way to sweep for its derivatives that carries one row, if there is one.
+    pub(in crate::functions) fn one_row_sweep(&self, tree: &Tree) -> Option<Sweep> {
+        match self.derivative.as_ref()?.kind {
+            DerivativeKind::Jvp => Some(Sweep::Forward),
+            DerivativeKind::Vjp => Some(Sweep::Reverse),
+            DerivativeKind::Jacobian | DerivativeKind::PackedJacobian => {
+                (self.n_values(tree) == 1).then_some(Sweep::Reverse)
+            }
+            DerivativeKind::Hessian => None,
+        }
     }
 
     /// How many rows each way to sweep for its derivatives carries along.

@@ -83,6 +83,7 @@ impl<'a> FunctionWriter<'a> {
         let helpers = helpers.map(|(place, own)| self.helper(&signature.name, place, own));
         let helpers = helpers.collect();
         Function {
+            request: Some(request.text()),
             arguments,
             catalogue_part: request.catalogue_part().cloned(),
             derivative_trait: request.derivative_trait(),

@@ -94,6 +94,8 @@ fn function(facts: &Facts, function: &Function, c_name: Option<&str>) -> String 
         object(&members)
     };
     let mut members = vec![("name", string(&function.signature.name))];
+    let request = function.request.as_deref();
+    members.extend(request.map(|request| ("request", string(request))));
     members.extend(c_name.map(|name| {
         (
             "symbols",
