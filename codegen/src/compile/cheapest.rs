@@ -6,10 +6,10 @@ use crate::{
     functions::{Formulation, Request},
     passes::hoist::Preparation,
     recursive::{Plan, Technique},
-    tree::Tree,
 };
 
 use super::{
+    arranged,
     pipeline::{self, Lowering},
     planned::{MOST_NODES, Planned, operations},
     plans::Plans,
@@ -19,20 +19,40 @@ use super::{
 /// The operations of a function whose machine code fits into a processor's first cache, of 32 kB. Beyond, time goes by bytes of code.
 const MOST_CACHED: usize = 3_500;
 
-/// The cheapest plan that was found for the function, and what it derives.
+/// The function by the cheapest plan of each part that was found.
+pub fn cheapest(plans: &Plans<'_>, request: &Request) -> Planned {
+    let best = one_by_one(plans, request);
+    let has_columns = if request.differentiates() {
+        best.arrangement.uses(Technique::DirectDerivatives)
+    } else {
+        request.inverts()
+    };
+    if has_columns {
+        in_lockstep(plans, request, best)
+    } else {
+        best
+    }
+}
+
+/// The same with no columns in lockstep.
+fn one_by_one(plans: &Plans<'_>, request: &Request) -> Planned {
+    let together = by_one_plan(plans, request);
+    if request.parts().len() == 1 {
+        return together;
+    }
+    let alone = request.alone();
+    let own = alone.iter().map(|part| by_one_plan(plans, part));
+    arranged::cheapest(plans.tree, request, together, &own.collect::<Vec<_>>())
+}
+
+/// The function by the cheapest plan for all its parts.
 ///
 /// What is differentiated is planned by its values, and then by the cheaper way to differentiate them.
-pub fn cheapest(plans: &Plans<'_>, request: &Request) -> Planned {
+fn by_one_plan(plans: &Plans<'_>, request: &Request) -> Planned {
     let &Plans { tree, without, .. } = plans;
     if !request.differentiates() {
-        let plan = plans.of_values(request);
-        let ways = with_parts_apart(request, vec![plan]);
-        let best = fewest(tree, request, ways);
-        return if request.inverts() {
-            in_lockstep(plans, request, best)
-        } else {
-            best
-        };
+        let plan = request.arranged_by(tree, &plans.of_values(request));
+        return Planned::new(tree, request, Formulation::Recursive, plan);
     }
     let forward = plans
         .of_values(&request.values())
@@ -60,27 +80,15 @@ pub fn cheapest(plans: &Plans<'_>, request: &Request) -> Planned {
             ways.extend([&way, &columns].map(|plan| plan.with(Technique::DirectDerivatives, true)));
         }
     }
-    let best = fewest(tree, request, with_parts_apart(request, ways));
-    if best.plan.uses(Technique::DirectDerivatives) {
-        in_lockstep(plans, request, best)
-    } else {
-        best
-    }
-}
-
-fn fewest(tree: &Tree, request: &Request, ways: Vec<Plan>) -> Planned {
-    let best = sweeps::fewest(tree, request, Formulation::Recursive, ways, usize::MAX);
+    let ways = ways.iter().map(|plan| request.arranged_by(tree, plan));
+    let best = sweeps::fewest(
+        tree,
+        request,
+        Formulation::Recursive,
+        ways.collect(),
+        usize::MAX,
+    );
     best.expect("cheapest: one way has the least")
-}
-
-/// These, and those among them by which one part of a joined function tells another with each part in its own way. Of two that take
-/// as many operations the first is chosen.
-fn with_parts_apart(request: &Request, mut ways: Vec<Plan>) -> Vec<Plan> {
-    let tells = |way: &&Plan| request.may_read_off(way);
-    let telling = ways.iter().filter(tells);
-    let apart: Vec<Plan> = telling.map(|way| way.with_parts_apart(true)).collect();
-    ways.extend(apart);
-    ways
 }
 
 /// The plan with columns in lockstep where a long function is a good deal shorter with it and is run in fewer steps, or as it is.
@@ -98,8 +106,8 @@ fn in_lockstep(plans: &Plans<'_>, request: &Request, one_by_one: Planned) -> Pla
         let (derived, mut preparation) = (&planned.derived, Preparation::default());
         pipeline::program(tree, request, derived, &mut preparation, Lowering::DEFAULT)
     };
-    let with = |plan| {
-        let planned = Planned::new(tree, request, Formulation::Recursive, plan);
+    let with = |arrangement| {
+        let planned = Planned::new(tree, request, Formulation::Recursive, arrangement);
         // A tenth more operations at most, which are counted first, and a fifth less text.
         if 10 * operations(&planned.derived).total() > 11 * least {
             return None;
@@ -108,9 +116,10 @@ fn in_lockstep(plans: &Plans<'_>, request: &Request, one_by_one: Planned) -> Pla
         let is_short = 5 * program.written() <= 4 * least;
         is_short.then(|| (program.steps(), planned))
     };
-    let lockstep = one_by_one.plan.with(Technique::Lockstep, true);
+    let lockstep = |plan: &Plan| plan.with(Technique::Lockstep, true);
+    let lockstep = one_by_one.arrangement.with_plans(lockstep);
     let twice = request.differentiates_accelerations();
-    let twice = twice.then(|| lockstep.with_calls_twice(true));
+    let twice = twice.then(|| lockstep.with_plans(|plan| plan.with_calls_twice(true)));
     let others = [Some(lockstep), twice].into_iter().flatten();
     let others: Vec<(usize, Planned)> = others.filter_map(with).collect();
     if others.is_empty() {

@@ -82,6 +82,8 @@ fn of_at_most(
         } else {
             vec![plan]
         };
+        let ways = ways.iter().map(|plan| request.arranged_by(tree, plan));
+        let ways = ways.collect();
         sweeps::fewest(tree, request, formulation, ways, most)
     };
     best.map(|best| Choice {

@@ -3,6 +3,7 @@
 //! In: a [`Tree`] and [`Options`]. Out: a [`Compiled`] module. Afterwards: each function is in the formulation that
 //! was asked for, or in the one with fewer operations, and its program is verified.
 
+mod arranged;
 mod branches;
 mod cheapest;
 mod choose;

@@ -5,22 +5,22 @@
 
 use super::branches;
 use crate::{
-    functions::{Derived, Request},
+    functions::{Arrangement, Derived, Request},
     passes::{factor, hoist, hoist::Preparation, sines},
     program::{self, Program},
-    recursive::{Plan, Technique},
+    recursive::Technique,
     tree::Tree,
 };
 
-/// What was derived by a plan, as it would be emitted.
+/// What was derived by these plans, as it would be emitted.
 pub(super) fn finished(
     tree: &Tree,
     request: &Request,
-    plan: &Plan,
+    arrangement: &Arrangement,
     mut derived: Derived,
 ) -> Derived {
     // The pattern of a compact output follows from the tree: nothing to factor across columns.
-    if plan.uses(Technique::Factor) && request.compact().is_none() {
+    if arrangement.uses(Technique::Factor) && request.compact().is_none() {
         (derived.graph, derived.roots) = factor::run(derived.graph, derived.roots);
     }
     given_sines(tree, request, derived)

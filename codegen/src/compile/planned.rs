@@ -5,7 +5,7 @@
 
 use super::pipeline;
 use crate::{
-    functions::{Derived, Formulation, Request},
+    functions::{Arrangement, Derived, Formulation, Request},
     program::Operations,
     recursive::Plan,
     tree::Tree,
@@ -14,33 +14,37 @@ use crate::{
 /// How many nodes may be built to compare candidates whatever they promise: a tenth of a second's work.
 pub(super) const MOST_NODES: usize = 400_000;
 
-/// A plan, and the function by it, as it would be emitted.
+/// A plan of each part, and the function by these, as it would be emitted.
 #[derive(Clone, Debug)]
 pub struct Planned {
-    /// The plan.
-    pub plan: Plan,
+    /// The plan of each part.
+    pub arrangement: Arrangement,
     /// The function's expressions.
     pub derived: Derived,
 }
 
 impl Planned {
-    /// The function in this formulation by this plan.
+    /// The function in this formulation by these plans.
     pub(super) fn new(
         tree: &Tree,
         request: &Request,
         formulation: Formulation,
-        plan: Plan,
+        arrangement: Arrangement,
     ) -> Self {
-        let derived = by_plan(tree, request, formulation, &plan);
-        Self { plan, derived }
+        let derived = request.derive_arranged(tree, formulation, &arrangement);
+        let derived = pipeline::finished(tree, request, &arrangement, derived);
+        Self {
+            arrangement,
+            derived,
+        }
     }
 }
 
 /// The function in this formulation by this plan, as it would be emitted: its sums factored, and sines and cosines inputs
 /// where they are to be given.
 pub fn by_plan(tree: &Tree, request: &Request, formulation: Formulation, plan: &Plan) -> Derived {
-    let derived = request.derive(tree, formulation, plan);
-    pipeline::finished(tree, request, plan, derived)
+    let arrangement = request.arranged_by(tree, plan);
+    Planned::new(tree, request, formulation, arrangement).derived
 }
 
 /// The operations that are left in the loop.

@@ -31,7 +31,7 @@ const MOST_ASKED: usize = 10_000_000;
 const SINE: usize = 10;
 
 /// In a function that does several things no angle is worth another one: there is one sine and one cosine a joint.
-const SINE_OF_SEVERAL: usize = 1_000_000;
+pub(super) const SINE_OF_SEVERAL: usize = 1_000_000;
 
 /// Up to this many nodes the search starts several times: what is sparse and small has more than one local optimum.
 const MOST_STARTS: usize = 1_500;
@@ -189,10 +189,11 @@ impl Search<'_> {
 
     fn counted(&self, plan: &Plan) -> Count {
         let &Self { tree, request, .. } = self;
-        let derived = request.derive(tree, Formulation::Recursive, plan);
+        let arrangement = request.arranged_by(tree, plan);
+        let derived = request.derive_arranged(tree, Formulation::Recursive, &arrangement);
         let n_asked = derived.graph.n_asked();
         let (derived, n_nodes) = if self.is_exact {
-            let derived = finished(tree, request, plan, derived);
+            let derived = finished(tree, request, &arrangement, derived);
             let n_nodes = derived.graph.n_needed(&derived.roots);
             (derived, n_nodes)
         } else {

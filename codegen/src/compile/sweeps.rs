@@ -1,12 +1,12 @@
 //! The ways in which derivatives may be swept for: from inputs to outputs, or back.
 //!
 //! In: a tree, a function, a plan for its values. Out: the plan by each way that has a chance, one at least; the one of several
-//! plans with the fewest operations.
+//! arrangements with the fewest operations.
 
 use std::{cell::LazyCell, collections::BTreeSet};
 
 use crate::{
-    functions::{Formulation, Request, Rows},
+    functions::{Arrangement, Formulation, Request, Rows},
     recursive::{Plan, Technique},
     tree::Tree,
 };
@@ -52,27 +52,30 @@ pub(super) fn ways(
     plans
 }
 
-/// The first of the plans with the fewest operations, and what it derives; `None` where each needs more than `most`.
+/// The first of these with the fewest operations, and what it derives; `None` where each needs more than `most`.
 pub(super) fn fewest(
     tree: &Tree,
     request: &Request,
     formulation: Formulation,
-    plans: Vec<Plan>,
+    arrangements: Vec<Arrangement>,
     most: usize,
 ) -> Option<Planned> {
     let mut least = most;
     let mut best = None;
     // The last is the most promising.
-    for plan in plans.into_iter().rev() {
-        let derived = request.derive(tree, formulation, &plan);
+    for arrangement in arrangements.into_iter().rev() {
+        let derived = request.derive_arranged(tree, formulation, &arrangement);
         if operations(&derived).total() > least.saturating_mul(MOST_FACTORED) {
             continue;
         }
-        let derived = finished(tree, request, &plan, derived);
+        let derived = finished(tree, request, &arrangement, derived);
         let count = operations(&derived).total();
         if count <= least {
             least = count;
-            best = Some(Planned { plan, derived });
+            best = Some(Planned {
+                arrangement,
+                derived,
+            });
         }
     }
     best

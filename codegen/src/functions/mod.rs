@@ -5,12 +5,14 @@
 //! model and the options, never on what else is asked for. Does not: emit.
 
 mod argument;
+mod arrangement;
 mod catalogue;
 mod derivation;
 mod derivatives;
 mod derived;
 mod formulation;
 mod function;
+mod joined;
 mod multiplier;
 mod names;
 mod packed;
@@ -26,6 +28,7 @@ mod told;
 mod variable;
 
 pub use argument::Argument;
+pub use arrangement::Arrangement;
 pub use catalogue::{CATALOGUE, OF_FRAMES};
 pub use derivatives::{
     coloring::colors,

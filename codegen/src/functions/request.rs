@@ -12,19 +12,9 @@ use super::{
     packed::Packed,
     parse::syntax::AT_SIN_COS,
     part::{Part, Rows},
-    told::Told,
     variable::Variable,
 };
-use crate::{
-    differentiate::Sweep,
-    expr::ExprGraph,
-    recursive::{Plan, Technique},
-    solve,
-    tree::Tree,
-};
-
-/// About how many nodes the dynamics of a body are.
-const NODES_PER_BODY: usize = 250;
+use crate::{recursive::Plan, solve, tree::Tree};
 
 /// A function to generate.
 #[derive(Clone, Debug)]
@@ -343,64 +333,10 @@ impl Request {
         Self::new(parts, self.at_sin_cos)
     }
 
-    /// Derives all parts in one graph, where what they share is built once. A part that has a single formulation takes no
-    /// notice of `formulation`, and only what needs a plan of `plan`.
-    pub fn derive(&self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
-        let mut derived = Derived {
-            graph: ExprGraph::with_capacity(NODES_PER_BODY * tree.bodies.len()),
-            ..Derived::default()
-        };
-        // Where one row is to be carried it is, whatever is swept beside it. Second derivatives go over a gradient that is carried back: one
-        // that is asked for beside them is the same.
-        let [along, back] = [false, true].map(|back| plan.with(Technique::Reverse, back));
-        let derivatives = self.parts.iter().filter(|part| part.derivative.is_some());
-        let has_several = derivatives.count() > 1;
-        let mut roots = vec![Vec::new(); self.parts.len()];
-        let mut told = Told::default();
-        for place in self.order() {
-            let part = &self.parts[place];
-            derived.graph.enter(None);
-            if let Some(entries) = part.told_by(&mut derived.graph, tree, plan, &told) {
-                roots[place] = entries;
-                continue;
-            }
-            let plan = match part.one_row_sweep(tree).filter(|_| has_several) {
-                Some(Sweep::Reverse) => &back,
-                Some(Sweep::Forward) => &along,
-                None => plan,
-            };
-            let is_asked = !plan.derives_apart() && part.finds_matrix_of_some(&self.parts);
-            let found = if is_asked {
-                part.derive_with_matrices(&mut derived, tree, formulation, plan)
-            } else {
-                part.derive_in(&mut derived, tree, formulation, plan)
-            };
-            told.extend(found, part.derivative.is_some());
-            roots[place] = std::mem::take(&mut derived.roots);
-        }
-        derived.roots = roots.concat();
-        derived
-    }
-
-    /// True where by this plan a part may be read off what another finds.
-    pub fn may_read_off(&self, plan: &Plan) -> bool {
-        let is_direct = plan.uses(Technique::DirectDerivatives);
-        let mut parts = self
-            .parts
-            .iter()
-            .filter(|part| is_direct || part.derivative.is_none());
-        parts.any(|part| part.finds_matrix_of_some(&self.parts))
-    }
-
-    /// The places of the parts in the order in which they are derived: values come after derivatives that may tell them.
-    fn order(&self) -> Vec<usize> {
-        let is_told = |place: &usize| {
-            let mut others = self.parts.iter();
-            others.any(|other| other.may_tell(&self.parts[*place]))
-        };
-        let (last, mut order): (Vec<_>, Vec<_>) = (0..self.parts.len()).partition(is_told);
-        order.extend(last);
-        order
+    /// The parts, each alone.
+    pub fn alone(&self) -> Vec<Self> {
+        let alone = |part: &Part| Self::new(vec![part.clone()], self.at_sin_cos);
+        self.parts.iter().map(alone).collect()
     }
 }
 

@@ -88,7 +88,6 @@ pub struct Plan {
     regroup: Vec<Regroup>,
     parallel: Vec<bool>,
     calls_twice: bool,
-    derives_apart: bool,
 }
 
 /// How much second moment along its axis a link gives its lower link, with all mass and first moment along it: so much that
@@ -122,7 +121,6 @@ impl Plan {
             regroup: vec![Regroup::Second; tree.bodies.len()],
             parallel: vec![true; tree.bodies.len()],
             calls_twice: false,
-            derives_apart: false,
         }
     }
 
@@ -168,20 +166,6 @@ impl Plan {
     pub fn with_calls_twice(&self, calls_twice: bool) -> Self {
         Self {
             calls_twice,
-            ..self.clone()
-        }
-    }
-
-    /// True where each part of a joined function is derived in its own way, though others find what it could be read off.
-    pub fn derives_apart(&self) -> bool {
-        self.derives_apart
-    }
-
-    /// The same with each part in its own way, or read off what other parts find.
-    #[must_use]
-    pub fn with_parts_apart(&self, derives_apart: bool) -> Self {
-        Self {
-            derives_apart,
             ..self.clone()
         }
     }

@@ -127,6 +127,32 @@ fn shared_work_is_done_once() {
 }
 
 #[test]
+fn parts_that_want_other_plans_get_them() {
+    for (path, base, joined) in [
+        (
+            "tests/robots/solo12/solo12.urdf",
+            Base::Free,
+            "mass_matrix_factors+d(hybrid_dynamics)/d(q, u)",
+        ),
+        (
+            "tests/robots/panda/panda.urdf",
+            Base::Fixed,
+            "hessian(mass_matrix_solve; q, tau)+jvp(bias; q, u)",
+        ),
+    ] {
+        let reading = Reading {
+            base: Some(base),
+            ..Reading::default()
+        };
+        let tree = read(path, &reading);
+        let count = |text: &str| alone(&tree, text).0.operations.total();
+        let apart: usize = joined.split('+').map(count).sum();
+        let whole = count(joined);
+        assert!(whole < apart, "{joined}: {whole} of {apart}");
+    }
+}
+
+#[test]
 fn operations_of_robots() {
     let mut text = String::new();
     for (model, tree) in models().into_iter().skip(2) {

@@ -2,7 +2,7 @@
 
 use kane_codegen::{
     description::Reading,
-    functions::Formulation,
+    functions::{Arrangement, Formulation, Request},
     recursive::{Plan, Technique},
     tree::Tree,
 };
@@ -11,6 +11,7 @@ use kane_test_support::{compare::assert_within, dynamics::State, systems::trees}
 use crate::{
     compiled::read,
     derivatives::{EXACT, INVERTED, inverts},
+    evaluator::input,
     frames::{evaluate_by, relative, request, system},
 };
 
@@ -42,8 +43,28 @@ const TOLD: [&[&str]; 9] = [
     ],
 ];
 
-fn operations(tree: &Tree, text: &str, plan: &Plan) -> usize {
-    let derived = request(tree, text).derive(tree, Formulation::Recursive, plan);
+/// By one plan, each part in its own way.
+fn apart(request: &Request, tree: &Tree, plan: &Plan) -> Arrangement {
+    let together = request.arranged_by(tree, plan);
+    let places = 0..request.parts().len();
+    places.fold(together, |all, place| all.with_read_off(place, false))
+}
+
+/// Each part by another plan, every second one in its own way.
+fn mixed(request: &Request, tree: &Tree) -> Arrangement {
+    let (plain, full) = (Plan::plain(tree), Plan::full(tree));
+    let plans = (0..request.parts().len()).map(|place| match place % 3 {
+        0 => full.clone(),
+        1 => plain.with(Technique::DirectDerivatives, true),
+        _ => full.with(Technique::Articulated, false),
+    });
+    let own = Arrangement::new(plans);
+    let places = (0..request.parts().len()).step_by(2);
+    places.fold(own, |all, place| all.with_read_off(place, false))
+}
+
+fn operations(tree: &Tree, request: &Request, arrangement: &Arrangement) -> usize {
+    let derived = request.derive_arranged(tree, Formulation::Recursive, arrangement);
     derived.graph.n_operations(&derived.roots)
 }
 
@@ -54,8 +75,12 @@ fn what_is_told_saves_operations() {
     let told = Plan::full(&tree).with(Technique::Lockstep, false);
     for parts in TOLD {
         let text = parts.join("+");
-        let [together, apart] =
-            [&told, &told.with_parts_apart(true)].map(|plan| operations(&tree, &text, plan));
+        let request = request(&tree, &text);
+        let ways = [
+            request.arranged_by(&tree, &told),
+            apart(&request, &tree, &told),
+        ];
+        let [together, apart] = ways.map(|way| operations(&tree, &request, &way));
         // There the inverse is the same, node by node.
         let least_saved = usize::from(!text.contains("mass_matrix_solve"));
         assert!(
@@ -75,7 +100,10 @@ fn the_order_of_parts_does_not_matter() {
         "mass_matrix+d(inverse_dynamics)/d(u_dot)+coriolis_matrix",
         "d(inverse_dynamics)/d(u_dot)+coriolis_matrix+mass_matrix",
     ];
-    let [first, second, third] = orders.map(|text| operations(&tree, text, &told));
+    let [first, second, third] = orders.map(|text| {
+        let request = request(&tree, text);
+        operations(&tree, &request, &request.arranged_by(&tree, &told))
+    });
     assert_eq!([first, first], [second, third]);
 }
 
@@ -117,8 +145,16 @@ fn what_is_told_is_what_the_notes_say() {
             let joined = request(&tree, &text);
             let full = Plan::full(&tree);
             let one_by_one = full.with(Technique::Lockstep, false);
-            for plan in [&full, &one_by_one, &full.with_parts_apart(true)] {
-                let found = evaluate_by(&tree, &joined, Formulation::Recursive, plan, &state);
+            let ways = [
+                joined.arranged_by(&tree, &full),
+                joined.arranged_by(&tree, &one_by_one),
+                apart(&joined, &tree, &full),
+                mixed(&joined, &tree),
+            ];
+            for way in ways {
+                let derived = joined.derive_arranged(&tree, Formulation::Recursive, &way);
+                let graph = &derived.graph;
+                let found = graph.evaluate(&derived.roots, |given| input(&tree, &state, given));
                 let allowed = if inverts(&text) { INVERTED } else { EXACT };
                 assert_within(
                     format!("{seed}, {text}"),

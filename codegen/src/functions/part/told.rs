@@ -22,12 +22,8 @@ impl Part {
         is_solved && tells && self.values().name() == other.name()
     }
 
-    /// True where one of these may be read off a matrix that this part finds.
-    pub(in crate::functions) fn finds_matrix_of_some(&self, others: &[Self]) -> bool {
-        others.iter().any(|other| self.finds_matrix_of(other))
-    }
-
-    fn finds_matrix_of(&self, other: &Self) -> bool {
+    /// True where the other one may be read off a matrix that this part finds.
+    pub(in crate::functions) fn finds_matrix_of(&self, other: &Self) -> bool {
         let Some(ReadOff { matrix, .. }) = &other.function.read_off else {
             return false;
         };
@@ -46,13 +42,14 @@ impl Part {
         (self.is_whole_derivative() || is_second) && derivative.by.iter().any(jacobians::is_known)
     }
 
-    /// Its entries, if others told them.
+    /// Its entries, if others told them. `is_read_off`: they may be read off a matrix.
     pub(in crate::functions) fn told_by(
         &self,
         graph: &mut ExprGraph,
         tree: &Tree,
         plan: &Plan,
         told: &Told,
+        is_read_off: bool,
     ) -> Option<Vec<Expr>> {
         if self.derivative.is_some() {
             return None;
@@ -60,10 +57,7 @@ impl Part {
         let Some(ReadOff { matrix, entries }) = self.function.read_off else {
             return told.values(&self.name()).cloned();
         };
-        if plan.derives_apart() {
-            return None;
-        }
-        let matrix = told.matrix(matrix)?;
+        let matrix = told.matrix(matrix).filter(|_| is_read_off)?;
         Some(entries(graph, tree, plan, matrix))
     }
 }
