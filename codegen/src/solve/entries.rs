@@ -44,14 +44,13 @@ impl<'a> Entries<'a> {
         tree: &'a Tree,
         carriers: &'a Carriers,
     ) -> Self {
-        let n = factors.order.len();
         Self {
             tree,
             order: &factors.order,
             reduced: Reduced::new(factors, carriers),
             felt: Felt::new(tree, carriers),
             carriers,
-            h: zero_matrix(graph, n),
+            h: zero_matrix(graph, tree.n_speeds),
             done: BTreeSet::new(),
         }
     }

@@ -24,7 +24,7 @@ pub use carried::{factorise, factorise_on_carriers};
 pub use carriers::{Carriers, RootMotion};
 pub use inverse::Inversion;
 pub use lockstep::LockstepSolver;
-pub use partitioned::{Partitioned, partitioned};
+pub use partitioned::{FreeSpeeds, Partitioned, partitioned};
 
 use crate::{
     expr::{Expr, ExprGraph, Purpose},
@@ -53,9 +53,9 @@ pub fn product(graph: &mut ExprGraph, matrix: &SpeedMatrix, column: &[Expr]) -> 
     rows.collect()
 }
 
-/// Rows of a matrix over speeds as its columns.
+/// Rows of a matrix as its columns.
 pub fn transposed(matrix: &[Vec<Expr>]) -> SpeedMatrix {
-    let columns = 0..matrix.len();
+    let columns = 0..matrix.first().map_or(0, Vec::len);
     let column = |column| matrix.iter().map(|row| row[column]).collect();
     columns.map(column).collect()
 }

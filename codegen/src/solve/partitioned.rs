@@ -2,7 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::{SpeedMatrix, carried::factorised, carriers::Carriers, elimination_order, subtract};
+use super::{
+    BodySpeed, Factors, Inversion, SpeedMatrix, carried::factorised, carriers::Carriers,
+    elimination_order, subtract,
+};
 use crate::{
     expr::{Expr, ExprGraph, Purpose},
     id::SpeedId,
@@ -18,6 +21,87 @@ pub struct Partitioned {
     pub forces: Vec<Expr>,
 }
 
+/// The mass matrix of the free speeds, factorised, and what couples the prescribed ones with these.
+#[derive(Debug)]
+pub struct FreeSpeeds {
+    factors: Factors,
+    /// From the inertial frame outward, as accelerations follow.
+    free: Vec<BodySpeed>,
+    /// By prescribed speed, its entries of the mass matrix with the free ones.
+    beside: Vec<(SpeedId, Vec<Expr>)>,
+}
+
+impl FreeSpeeds {
+    /// Factorises `A_ff`.
+    pub fn new(
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        a: SpeedMatrix,
+        prescribed: &BTreeSet<SpeedId>,
+    ) -> Self {
+        graph.begin(Purpose::Solution);
+        let mut order = elimination_order(tree);
+        order.retain(|own| !prescribed.contains(&own.speed));
+        let free: Vec<BodySpeed> = order.iter().rev().copied().collect();
+        let row = |own: &SpeedId| free.iter().map(|k| a[own.index()][k.index()]).collect();
+        let beside = prescribed.iter().map(|own| (*own, row(own))).collect();
+        Self {
+            factors: factorised(graph, tree, a, order, &Carriers::default()),
+            free,
+            beside,
+        }
+    }
+
+    /// The accelerations of the free speeds that these forces make; what others have here says nothing.
+    pub fn solve(&self, graph: &mut ExprGraph, tau: Vec<Expr>) -> Vec<Expr> {
+        self.factors.solve(graph, tau)
+    }
+
+    /// The same for each of several columns of forces, zero at prescribed speeds.
+    pub fn solutions(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        columns: &[Vec<Expr>],
+    ) -> Vec<Vec<Expr>> {
+        let mut solved = self.factors.solutions(graph, tree, columns);
+        for column in &mut solved {
+            for (own, _) in &self.beside {
+                column[own.index()] = graph.zero();
+            }
+        }
+        solved
+    }
+
+    /// `A_ff^-1`, zero elsewhere.
+    pub fn inverse(&self, graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
+        let none = Carriers::default();
+        self.factors.inverse(graph, tree, Inversion::by(&none))
+    }
+
+    /// The forces of the prescribed speeds, zero at others: what is needed, and what these accelerations of the free ones need more.
+    pub fn forces(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        needed: &[Expr],
+        accelerations: &[Expr],
+    ) -> Vec<Expr> {
+        let bodies = tree.speed_bodies();
+        let mut forces = vec![graph.zero(); tree.n_speeds];
+        for (own, row) in &self.beside {
+            graph.enter(bodies[own.index()]);
+            let mut sum = needed[own.index()];
+            for (k, entry) in self.free.iter().zip(row) {
+                let term = graph.mul(*entry, accelerations[k.index()]);
+                sum = graph.add(sum, term);
+            }
+            forces[own.index()] = sum;
+        }
+        forces
+    }
+}
+
 /// Solves `A_ff x_f = tau_f - needed_f` for the free speeds, then `f_p = needed_p + A_pf x_f` for the prescribed ones, whose
 /// own accelerations are in `needed` already.
 pub fn partitioned(
@@ -28,29 +112,10 @@ pub fn partitioned(
     mut tau: Vec<Expr>,
     needed: &[Expr],
 ) -> Partitioned {
-    graph.begin(Purpose::Solution);
-    let mut order = elimination_order(tree);
-    order.retain(|own| !prescribed.contains(&own.speed));
-    // From the inertial frame outward, as accelerations follow.
-    let free: Vec<_> = order.iter().rev().copied().collect();
-    let beside: Vec<Vec<Expr>> = prescribed
-        .iter()
-        .map(|own| free.iter().map(|k| a[own.index()][k.index()]).collect())
-        .collect();
-    let factors = factorised(graph, tree, a, order, &Carriers::default());
+    let free = FreeSpeeds::new(graph, tree, a, prescribed);
     subtract(graph, tree, &mut tau, needed);
-    let accelerations = factors.solve(graph, tau);
-    let bodies = tree.speed_bodies();
-    let mut forces = vec![graph.zero(); tree.n_speeds];
-    for (own, row) in prescribed.iter().zip(beside) {
-        graph.enter(bodies[own.index()]);
-        let mut sum = needed[own.index()];
-        for (k, entry) in free.iter().zip(row) {
-            let term = graph.mul(entry, accelerations[k.index()]);
-            sum = graph.add(sum, term);
-        }
-        forces[own.index()] = sum;
-    }
+    let accelerations = free.solve(graph, tau);
+    let forces = free.forces(graph, tree, needed, &accelerations);
     Partitioned {
         accelerations,
         forces,

@@ -1,12 +1,12 @@
 //! Hybrid dynamics: some joints' accelerations are prescribed, the others' forces.
 
-use std::{collections::BTreeSet, fmt::Write as _};
+use std::{collections::BTreeSet, fmt::Write as _, fs};
 
 use kane_codegen::{
     compile::{self, Plans},
     description::{Base, Reading},
     expr::Input,
-    functions::{Formulation, Function, Request},
+    functions::{Formulation, Function},
     id::SpeedId,
     options,
     recursive::{Plan, Technique},
@@ -20,7 +20,12 @@ use kane_test_support::{
     systems::{RandomSystem, Sizes, Style, tree, trees},
 };
 
-use crate::{compiled::read, evaluator::input};
+use crate::{
+    compiled::read,
+    derivatives::{INVERTED, ways},
+    evaluator::input,
+    frames::{self, relative},
+};
 
 /// How far two ways to one number may be apart, relative to the mass matrix and the numbers.
 const EXACT: f64 = 1e-12;
@@ -126,6 +131,57 @@ fn noted(tree: &Tree, name: &str, state: &State) -> Vec<f64> {
 fn halves(tree: &Tree, found: &[f64]) -> [Vec<f64>; 2] {
     let (u_dot, tau) = found.split_at(tree.n_speeds);
     [u_dot.to_vec(), tau.to_vec()]
+}
+
+#[test]
+fn all_ways_give_the_same_derivatives_whatever_is_prescribed() {
+    each(|case| {
+        let Case { tree, state, .. } = case;
+        let has_values = !tree.parameters.is_empty();
+        let by_parameters = "d(hybrid_dynamics)/d(u, parameters, tau)";
+        let texts = [
+            "d(hybrid_dynamics)/d(q, u, u_dot, tau)",
+            "packed(d(hybrid_dynamics)/d(tau, q))",
+            "mass_matrix+hybrid_dynamics+d(hybrid_dynamics)/d(u_dot)",
+        ];
+        for text in texts.into_iter().chain(has_values.then_some(by_parameters)) {
+            let request = frames::request(tree, text);
+            let all = ways(tree).map(|(formulation, plan)| {
+                frames::evaluate_by(tree, &request, formulation, &plan, state)
+            });
+            for (way, found) in all.iter().enumerate().skip(1) {
+                let what = format!("{}, {text}, way {way}", case.what);
+                assert_within(what, relative(found, &all[0]), INVERTED);
+            }
+        }
+    });
+}
+
+#[test]
+fn derivatives_with_nothing_prescribed_are_those_of_forward_dynamics_and_with_all_those_of_inverse_dynamics()
+ {
+    let reading = Reading {
+        base: Some(Base::Fixed),
+        ..Reading::default()
+    };
+    let arm = read("tests/robots/panda/panda.urdf", &reading);
+    let count = |tree: &Tree, text: &str| {
+        let plan = Plan::full(tree).with(Technique::Lockstep, false);
+        let request = frames::request(tree, text);
+        let derived = compile::by_plan(tree, &request, Formulation::Recursive, &plan);
+        compile::operations(&derived).total()
+    };
+    let hybrid = "d(hybrid_dynamics)/d(q, u)";
+    let none = prescribing(&arm, |_| false);
+    assert_eq!(
+        count(&none, hybrid),
+        count(&arm, "d(forward_dynamics)/d(q, u)")
+    );
+    let all = prescribing(&arm, |_| true);
+    assert_eq!(
+        count(&all, hybrid),
+        count(&arm, "d(inverse_dynamics)/d(q, u)")
+    );
 }
 
 #[test]
@@ -254,7 +310,7 @@ fn accelerations_and_forces_that_are_found_are_not_read() {
 
 /// The operations of a function as it is emitted.
 fn count(tree: &Tree, name: &str) -> usize {
-    let request = Request::from(function(name));
+    let request = frames::request(tree, name);
     let none = BTreeSet::new();
     let plans = Plans::new(tree, &none);
     let choice = compile::choose(&plans, &request, options::Formulation::Cheapest);
@@ -281,6 +337,28 @@ fn counts_with_none_and_with_all_prescribed_are_those_of_the_dynamics() {
 }
 
 #[test]
+fn the_page_of_functions_has_the_counts_of_derivatives() {
+    let reading = Reading {
+        base: Some(Base::Fixed),
+        ..Reading::default()
+    };
+    let arm = read("tests/robots/panda/panda.urdf", &reading);
+    let up_to = |most: usize| {
+        let tree = prescribing(&arm, |body| *body < most);
+        count(&tree, "d(hybrid_dynamics)/d(q, u)")
+    };
+    let sentence = format!(
+        "For a Panda, `d(hybrid_dynamics)/d(q, u)` needs {} with no prescribed\njoint, {} with the first, and {} with all.",
+        up_to(0),
+        up_to(1),
+        up_to(arm.bodies.len())
+    );
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/functions.md");
+    let page = fs::read_to_string(page).expect("the page is there");
+    assert!(page.contains(&sentence), "{sentence}");
+}
+
+#[test]
 fn counts_of_robots() {
     let mut text = String::new();
     let mut robot = |name: &str, base: Option<Base>, sets: &[(&str, &dyn Fn(usize) -> bool)]| {
@@ -297,7 +375,12 @@ fn counts_of_robots() {
         for (what, is_prescribed) in sets {
             let tree = prescribing(&plain, |body| is_prescribed(*body));
             let hybrid = count(&tree, "hybrid_dynamics");
-            writeln!(text, "    {what} prescribed: {hybrid}").unwrap();
+            let derivatives = count(&tree, "d(hybrid_dynamics)/d(q, u)");
+            writeln!(
+                text,
+                "    {what} prescribed: {hybrid}, derivatives {derivatives}"
+            )
+            .unwrap();
         }
         let inverse = count(&plain, "inverse_dynamics");
         writeln!(text, "    inverse dynamics: {inverse}").unwrap();

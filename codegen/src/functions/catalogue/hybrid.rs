@@ -7,6 +7,7 @@ use crate::functions::{
     roots,
     shape::Shape,
     terms::Terms,
+    told::KnownMatrix,
 };
 
 pub(super) const HYBRID_DYNAMICS: Function = Function {
@@ -19,6 +20,8 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
     ],
     mass_matrix: MassMatrixUse::Accelerations,
     prescribes: true,
+    derivatives: Some(roots::jacobians::hybrid::hybrid_dynamics),
+    derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Hybrid dynamics: of the speeds that `PRESCRIBED` marks, those of the joints that the option `prescribed` names, the accelerations are",
         "given and the forces found; of the others the reverse: `M u_dot + bias = tau` holds of the whole `u_dot` and `tau`, which are written.",

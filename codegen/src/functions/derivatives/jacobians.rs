@@ -57,7 +57,8 @@ impl Part {
                 .expect("functions: each variable has a matrix")
         });
         let found: Vec<Matrix> = found.collect();
-        derived.put(&found, self.sparsity(tree).as_deref());
+        let sizes = self.output_sizes(tree);
+        derived.put(&sizes, &found, self.sparsity(tree).as_deref());
         Some(told)
     }
 
@@ -104,7 +105,8 @@ impl Part {
             let solved = solved(graph, tree, plan, inverse, columns);
             return others.of_columns(tree, &solved);
         }
-        let sizes: Vec<usize> = others.by.iter().map(|own| own.n_entries(tree)).collect();
+        let n_columns = others.by.iter().map(|own| own.n_entries(tree));
+        let n_columns: Vec<usize> = n_columns.collect();
         let first = derived.roots.len();
         let part = Self {
             derivative: Some(others),
@@ -113,25 +115,34 @@ impl Part {
         part.derive_in(derived, tree, formulation, plan);
         let roots = derived.roots.split_off(first);
         let mut rest = &roots[..];
-        let matrix = |n_columns: usize| {
-            let (own, others) = rest.split_at(tree.n_speeds * n_columns);
-            rest = others;
-            let row = |row: usize| own[row * n_columns..][..n_columns].to_vec();
-            (0..tree.n_speeds).map(row).collect()
-        };
-        sizes.into_iter().map(matrix).collect()
+        let mut matrices = vec![Matrix::new(); n_columns.len()];
+        for n_rows in self.output_sizes(tree) {
+            for (matrix, &n_columns) in matrices.iter_mut().zip(&n_columns) {
+                let (own, others) = rest.split_at(n_rows * n_columns);
+                rest = others;
+                let row = |row: usize| own[row * n_columns..][..n_columns].to_vec();
+                matrix.extend((0..n_rows).map(row));
+            }
+        }
+        matrices
     }
 }
 
 impl Jacobians {
-    /// What they tell other parts; the values are those of the function of this name.
-    pub(in crate::functions) fn told(self, name: String) -> Told {
-        let inverse = self.by(&Variable::Given(Argument::Tau)).cloned();
-        let mass = self.mass.map(|mass| (KnownMatrix::Mass, mass));
-        let inverse = inverse.map(|inverse| (KnownMatrix::MassInverse, inverse));
-        let matrices = mass.into_iter().chain(inverse);
-        let told = Told::default().with_values(name, self.values);
-        matrices.fold(told, |told, (matrix, entries)| told.with(matrix, entries))
+    /// What they tell other parts: the values are those of the function of this name; it finds these matrices.
+    pub(in crate::functions) fn told(mut self, name: String, matrices: &[KnownMatrix]) -> Told {
+        let mut told = Told::default().with_values(name, self.values.take());
+        for &matrix in matrices {
+            let entries = match matrix {
+                KnownMatrix::Mass => self.mass.take(),
+                KnownMatrix::MassInverse => self.by(&Variable::Given(Argument::Tau)).cloned(),
+                KnownMatrix::MassDot | KnownMatrix::Coriolis => None,
+            };
+            if let Some(entries) = entries {
+                told = told.with(matrix, entries);
+            }
+        }
+        told
     }
 
     pub(super) fn by(&self, variable: &Variable) -> Option<&SpeedMatrix> {
@@ -161,11 +172,23 @@ impl Derivative {
 }
 
 impl Derived {
-    /// Adds the entries of these matrices, one for each variable, to what is written.
-    pub(in crate::functions) fn put(&mut self, found: &[Matrix], sparsity: Option<&Sparsity>) {
+    /// Adds the entries of these matrices to what is written: one for each variable, whose rows are those of outputs of these sizes, one
+    /// after the other.
+    pub(in crate::functions) fn put(
+        &mut self,
+        sizes: &[usize],
+        found: &[Matrix],
+        sparsity: Option<&Sparsity>,
+    ) {
         let Some(Sparsity { places, .. }) = sparsity else {
-            let entries = found.iter().flat_map(|own| own.concat());
-            return self.roots.extend(entries);
+            let mut first = 0;
+            for size in sizes {
+                let rows = first..first + size;
+                let entries = found.iter().flat_map(|own| own[rows.clone()].concat());
+                self.roots.extend(entries);
+                first = rows.end;
+            }
+            return;
         };
         let of_matrix = |own: &Matrix| 0..own.first().map_or(0, Vec::len);
         let columns = found.iter().enumerate();

@@ -46,7 +46,7 @@ impl Derivative {
             let inverse = is_worth_an_inverse(tree, &columns);
             let inverse = inverse.then(|| inverse_mass::inverse(graph, tree, plan));
             let solved = solved(graph, tree, plan, inverse.as_ref(), columns);
-            return derived.put(&self.of_columns(tree, &solved), sparsity);
+            return derived.put(&[tree.n_speeds], &self.of_columns(tree, &solved), sparsity);
         }
         let (lacking, mut values) = lacking(graph, tree, plan, solution);
         let (seeds, columns) = self.seeds(graph, tree);

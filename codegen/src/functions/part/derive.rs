@@ -71,7 +71,8 @@ impl Part {
             && self.is_whole_derivative()
             && let Some(told) = self.derive_matrices(derived, tree, formulation, plan)
         {
-            return told.told(self.values().name());
+            let function = self.function;
+            return told.told(self.values().name(), function.derivatives_tell);
         }
         if is_direct
             && let Some(derivative) = self.second_derivative()
@@ -86,10 +87,7 @@ impl Part {
         let plan = one_by_one.as_ref().unwrap_or(plan);
         self.derive_values(derived, tree, formulation, plan);
         if let Some(derivative) = &self.derivative {
-            let own_length = |dimension| self.own_length(dimension, tree, 0);
-            let outputs = self.function.outputs.iter();
-            let lengths = outputs.map(|output| output.shape.lengths(tree, own_length));
-            let sizes: Vec<usize> = lengths.map(|lengths| lengths.iter().product()).collect();
+            let sizes = self.output_sizes(tree);
             let multipliers = derivative.arguments(self.function.outputs, self.subject_length());
             let values = derived.roots.split_off(first);
             let sparsity = self.sparsity(tree);

@@ -30,6 +30,14 @@ impl Part {
         terms * forward.min(reverse).max(1)
     }
 
+    /// How many entries each output of its values has.
+    pub(in crate::functions) fn output_sizes(&self, tree: &Tree) -> Vec<usize> {
+        let own_length = |dimension| self.own_length(dimension, tree, 0);
+        let outputs = self.function.outputs.iter();
+        let lengths = outputs.map(|output| output.shape.lengths(tree, own_length));
+        lengths.map(|lengths| lengths.iter().product()).collect()
+    }
+
     /// How many entries the variables have together.
     pub(in crate::functions) fn n_variables(&self, tree: &Tree) -> usize {
         let by = self.derivative.iter().flat_map(|derivative| &derivative.by);

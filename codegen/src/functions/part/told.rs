@@ -17,9 +17,9 @@ impl Part {
         if other.function.read_off.is_some() {
             return self.finds_matrix_of(other);
         }
-        let is_solved = other.function.inverse_dynamics.is_some() && other.derivative.is_none();
-        let tells = self.is_whole_derivative() || self.is_second_derivative();
-        is_solved && tells && self.values().name() == other.name()
+        let tells = self.is_whole_derivative() && self.function.derivatives.is_some()
+            || self.is_second_derivative() && self.function.inverse_dynamics.is_some();
+        tells && other.derivative.is_none() && self.values().name() == other.name()
     }
 
     /// True where the other one may be read off a matrix that this part finds.

@@ -215,7 +215,7 @@ impl Needed<'_> {
 
 /// The forces that bodies need where no speed changes: weight, less what lifts and the loads, and what motion needs. That is
 /// quadratic in the speeds: half of its derivatives by them, times the speeds.
-fn bias_of(
+pub(super) fn bias_of(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
@@ -305,6 +305,6 @@ fn turning_roots(tree: &Tree) -> Vec<(BodyId, [SpeedId; 3])> {
     tree.body_ids().filter_map(turning).collect()
 }
 
-fn negated(column: Vec<Expr>) -> Vec<Expr> {
+pub(super) fn negated(column: Vec<Expr>) -> Vec<Expr> {
     column.into_iter().map(|entry| -entry).collect()
 }

@@ -2,3 +2,4 @@
 
 pub(in crate::functions) mod accelerations;
 pub(in crate::functions) mod forces;
+pub(in crate::functions) mod hybrid;
