@@ -47,13 +47,13 @@ const SOLO12: [&str; 20] = [
     "jacobian(HR_FOOT)",
     // What balances it calls together.
     "mass_matrix+bias",
-    "jacobian(FL_FOOT)+jacobian(FR_FOOT)+jacobian(HL_FOOT)+jacobian(HR_FOOT)\
+    "feet = jacobian(FL_FOOT)+jacobian(FR_FOOT)+jacobian(HL_FOOT)+jacobian(HR_FOOT)\
      +jacobian_dot_u(FL_FOOT)+jacobian_dot_u(FR_FOOT)+jacobian_dot_u(HL_FOOT)+jacobian_dot_u(HR_FOOT)",
-    "center_of_mass+centroidal_momentum_matrix+centroidal_momentum_matrix_dot_u\
+    "balance = center_of_mass+centroidal_momentum_matrix+centroidal_momentum_matrix_dot_u\
      +pose(base_link)+velocity(base_link)+jacobian(base_link)+jacobian_dot_u(base_link)",
     // It is pushed at its base, and by the ground at its feet.
     "forward_dynamics",
-    "pose(FL_FOOT)+pose(FR_FOOT)+pose(HL_FOOT)+pose(HR_FOOT)\
+    "contacts = pose(FL_FOOT)+pose(FR_FOOT)+pose(HL_FOOT)+pose(HR_FOOT)\
      +velocity(FL_FOOT)+velocity(FR_FOOT)+velocity(HL_FOOT)+velocity(HR_FOOT)",
     "generalized_force(base_link)",
     "generalized_force(FL_FOOT)",

@@ -36,6 +36,10 @@ fn generated(
     what: &str,
     functions: Option<&Functions>,
 ) -> Result<String, Vec<Diagnostic>> {
+    let requests = functions.map_or_else(Vec::new, Functions::requests);
+    if requests.iter().any(|one| one.is_called(&name.value)) {
+        return Ok(name.value.clone());
+    }
     let faults = request_faults(name, what);
     if !faults.is_empty() {
         return Err(faults);

@@ -33,7 +33,7 @@ pub use catalogue::{CATALOGUE, OF_FRAMES};
 pub use derivatives::{
     coloring::colors,
     derivative::{Derivative, DerivativeKind},
-    derivative_trait::TRAITS,
+    derivative_trait::{DerivativeTrait, TRAITS},
     sparsity::Sparsity,
 };
 pub use derived::{CompactBlock, Derived, pattern};
@@ -53,6 +53,6 @@ pub use shape::{
     Dimension, Element, Length, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
     Shape,
 };
-pub use signature::{Access, Declared, PREPARED, SIN_COS, Signature};
+pub use signature::{Access, Declared, HELPER_INFIX, PREPARED, SIN_COS, STAGE_INFIX, Signature};
 pub use subject::{Subject, SubjectFrame, View};
 pub use variable::{PARAMETER_NAMES, PARAMETERS, Variable};

@@ -10,7 +10,7 @@ use super::{
     formulation::Formulation,
     function::{Function, MassMatrixUse, Output},
     packed::Packed,
-    parse::syntax::AT_SIN_COS,
+    parse::syntax::{AT_SIN_COS, named},
     part::{Part, Rows},
     variable::Variable,
 };
@@ -19,13 +19,19 @@ use crate::{recursive::Plan, solve, tree::Tree};
 /// A function to generate.
 #[derive(Clone, Debug)]
 pub struct Request {
+    /// What it is to be called, where that is said.
+    name: Option<String>,
     parts: Vec<Part>,
     at_sin_cos: bool,
 }
 
 impl Request {
-    pub(super) fn new(parts: Vec<Part>, at_sin_cos: bool) -> Self {
-        Self { parts, at_sin_cos }
+    pub(super) fn new(name: Option<String>, parts: Vec<Part>, at_sin_cos: bool) -> Self {
+        Self {
+            name,
+            parts,
+            at_sin_cos,
+        }
     }
 
     /// What it is made of, in the order asked for.
@@ -33,7 +39,7 @@ impl Request {
         &self.parts
     }
 
-    /// The part, where it is one as the catalogue has it.
+    /// The part, where it is one as the catalogue has it, whatever it is called.
     pub fn catalogue_part(&self) -> Option<&Part> {
         match &self.parts[..] {
             [part] if !self.at_sin_cos && part.derivative.is_none() => Some(part),
@@ -79,13 +85,23 @@ impl Request {
         self.at_sin_cos
     }
 
-    /// As it is asked for: `mass_matrix+bias(sin_cos)`.
+    /// As it is asked for: `mass_matrix+bias(sin_cos)`, `step = mass_matrix+bias`.
     pub fn text(&self) -> String {
+        named(self.name.as_deref(), self.sum())
+    }
+
+    /// The same without a name that it was given.
+    pub fn sum(&self) -> String {
         self.joined("+", Part::text) + self.suffix(AT_SIN_COS)
     }
 
-    /// The generated function's name: `mass_matrix_and_bias_at_sin_cos`.
+    /// The generated function's name: the one that it was given, or that of its parts.
     pub fn name(&self) -> String {
+        self.name.clone().unwrap_or_else(|| self.name_of_parts())
+    }
+
+    /// `mass_matrix_and_bias_at_sin_cos`.
+    pub(super) fn name_of_parts(&self) -> String {
         self.joined("_and_", Part::name) + self.suffix("_at_sin_cos")
     }
 
@@ -330,12 +346,12 @@ impl Request {
                 parts.push(part);
             }
         }
-        Self::new(parts, self.at_sin_cos)
+        Self::new(None, parts, self.at_sin_cos)
     }
 
     /// The parts, each alone.
     pub fn alone(&self) -> Vec<Self> {
-        let alone = |part: &Part| Self::new(vec![part.clone()], self.at_sin_cos);
+        let alone = |part: &Part| Self::new(None, vec![part.clone()], self.at_sin_cos);
         self.parts.iter().map(alone).collect()
     }
 }
@@ -348,7 +364,7 @@ impl From<&'static Function> for Request {
             subject: None,
             derivative: None,
         };
-        Self::new(vec![part], false)
+        Self::new(None, vec![part], false)
     }
 }
 

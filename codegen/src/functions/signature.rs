@@ -15,6 +15,12 @@ pub const PREPARED: &str = "p";
 /// The argument with sines and cosines, and the function that writes it.
 pub const SIN_COS: &str = "sin_cos";
 
+/// What stands between the name of a function and the number of a stage.
+pub const STAGE_INFIX: &str = "_stage_";
+
+/// What stands between the name of a function and the number of a helper.
+pub const HELPER_INFIX: &str = "_lockstep_";
+
 /// A function as its callers see it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Signature {

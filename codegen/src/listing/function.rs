@@ -2,7 +2,7 @@
 
 use super::{Code, Counted, Entry, Facts, Helper, Stage};
 use crate::{
-    functions::{Access, Argument, Declared, Formulation, Part, Signature},
+    functions::{Access, Argument, Declared, DerivativeTrait, Formulation, Part, Signature},
     program::Operations,
 };
 
@@ -15,10 +15,10 @@ pub struct Function {
     pub request: Option<String>,
     /// What it is given besides the parameters.
     pub arguments: Vec<Argument>,
-    /// The part of a request, where it is one as the catalogue has it.
+    /// The part of a request, where it is the first function that is one as the catalogue has it.
     pub catalogue_part: Option<Part>,
     /// The runtime's trait for the derivatives that it is, where there is one.
-    pub derivative_trait: Option<&'static str>,
+    pub derivative_trait: Option<DerivativeTrait>,
     /// The pattern of its output that stands before it, by its place among [`Facts::patterns`].
     pub pattern: Option<usize>,
     /// How its sums over bodies are associated.

@@ -6,9 +6,6 @@ use crate::{
     program::Operations,
 };
 
-/// What stands between the name of a function and the number of a helper.
-pub const HELPER_INFIX: &str = "_lockstep_";
-
 /// A helper of a function.
 #[derive(Clone, Debug)]
 pub struct Helper {

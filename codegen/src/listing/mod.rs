@@ -15,8 +15,8 @@ mod verify;
 mod write;
 
 pub use code::{
-    Array, ArrayId, Code, Entry, Expression, Kept, Local, LocalId, Member, STAGE_INFIX, Stage,
-    Statement, Step, Tightness,
+    Array, ArrayId, Code, Entry, Expression, Kept, Local, LocalId, Member, Stage, Statement, Step,
+    Tightness,
 };
 pub use constants::{Constant, Data};
 pub(crate) use facts::N_ANGLES;
@@ -25,7 +25,7 @@ pub use facts::{
     FrameSpeeds, Joint, JointChart, Limits, Pattern, Size, Sizes, Units, nominal, read_nominal,
 };
 pub use function::Function;
-pub use helper::{HELPER_INFIX, Helper, Role};
+pub use helper::{Helper, Role};
 pub use module::Module;
 pub use verify::{Fault, verify, verify_facts};
 pub use write::RESERVED;

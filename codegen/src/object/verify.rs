@@ -12,8 +12,8 @@ use iced_x86::{
 };
 
 use crate::{
+    functions::{HELPER_INFIX, STAGE_INFIX},
     input,
-    listing::{HELPER_INFIX, STAGE_INFIX},
 };
 
 use super::{

@@ -1,6 +1,6 @@
 //! Budgets of operations.
 
-use super::project::Project;
+use super::project::{Project, system};
 
 /// A generated arm with these lines in its entry of `kane.toml`.
 fn arm(budget: &str) -> Project {
@@ -97,4 +97,34 @@ fn budget_holds_for_options_given_above_the_file() {
     };
     assert!(check("bias"));
     assert!(!check("mass_matrix"));
+}
+
+#[test]
+fn a_function_with_a_name_is_limited_by_it() {
+    let project = Project::arm();
+    let named = "functions = [\"step = mass_matrix+bias\"]\nbudget = { step = 1 }";
+    let config = system("models/arm.toml", "generated/arm.rs");
+    let config = config.lines().filter(|line| !line.starts_with("functions"));
+    let config: Vec<&str> = config.chain(named.lines()).collect();
+    project.write("kane.toml", &config.join("\n"));
+    let ran = project.kane(&["generate"]);
+    let (total, _) = stated(&project, "step");
+    let over = format!("total    step  {total}, of 1 (+{})", total - 1);
+    assert!(ran.told().contains(&over), "{}", ran.told());
+    // It is known by its name where its model is listed.
+    let state = "{\"q\": {}, \"u\": {}}";
+    project.write("state.json", state);
+    let evaluated = |function: &str| {
+        let arguments = [
+            "eval",
+            "models/arm.toml",
+            "--function",
+            function,
+            "--state",
+            "state.json",
+        ];
+        project.kane(&arguments)
+    };
+    let (by_name, by_parts) = (evaluated("step"), evaluated("mass_matrix+bias"));
+    assert_eq!((by_name.code, &by_name.out), (0, &by_parts.out));
 }

@@ -14,8 +14,9 @@ fn expected(text: &str) -> (&'static str, Range<usize>) {
 
 #[test]
 fn parts_stand_where_they_are_written() {
-    let Sum { parts, at_sin_cos } =
-        read("bias + velocity(\"left foot\", local) (sin_cos)").unwrap();
+    let Sum {
+        parts, at_sin_cos, ..
+    } = read("bias + velocity(\"left foot\", local) (sin_cos)").unwrap();
     assert!(at_sin_cos);
     let places: Vec<_> = parts.iter().map(|part| part.place.clone()).collect();
     assert_eq!(places, [0..4, 7..35]);
@@ -189,4 +190,46 @@ fn every_text_of_the_table_is_a_request_as_it_is_written_back() {
         let parsed = Parsed::read(text).expect(name);
         assert_eq!(parsed.text(), text);
     }
+}
+
+#[test]
+fn a_function_may_be_given_a_name() {
+    for (text, written) in [
+        ("step=mass_matrix + bias", "step = mass_matrix+bias"),
+        (" a_2 = bias (sin_cos)", "a_2 = bias(sin_cos)"),
+        ("pose(a=b)", "pose(a=b)"),
+    ] {
+        let parsed = Parsed::read(text).unwrap();
+        assert_eq!(parsed.text(), written);
+        assert_eq!(Parsed::read(written).unwrap().place(), parsed.place());
+    }
+    let named = |text: &str| Parsed::read(text).unwrap().of_any_model().unwrap();
+    assert_eq!(named("step = bias(sin_cos)").name(), "step");
+    assert_eq!(named("step = bias(sin_cos)").sum(), "bias(sin_cos)");
+}
+
+#[test]
+fn what_cannot_be_a_name_is_told_with_why_beside_other_faults() {
+    for (name, why) in [
+        ("", "expected a name before `=`"),
+        (
+            "Step",
+            "expected lower-case letters, digits and `_`, a letter first",
+        ),
+        (
+            "2a",
+            "expected lower-case letters, digits and `_`, a letter first",
+        ),
+        ("fn", "it is a keyword of Rust"),
+        ("bias", "it is a function of the catalogue"),
+        ("prepare", "it has a meaning of its own"),
+        ("a_stage_1", "it has a meaning of its own"),
+        ("a_lockstep_1", "it has a meaning of its own"),
+        (&"a".repeat(65), "expected 64 characters at most"),
+    ] {
+        let fault = format!("`{name}` cannot be the name of a function: {why}");
+        assert_eq!(faults(&format!("{name} = mass_matrix")), [fault]);
+    }
+    assert_eq!(faults("Step = foo+bar").len(), 3);
+    assert!(faults("a = b = bias")[0].starts_with("`b = bias` is no function"));
 }

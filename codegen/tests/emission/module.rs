@@ -90,8 +90,9 @@ fn a_function_s_text_does_not_depend_on_what_else_is_asked_for() {
 
 #[test]
 fn derivatives_that_generic_code_can_hold_have_their_trait() {
-    let traits = |request: &str| -> Vec<String> {
-        let text = module("cart_pole", named(&[request]));
+    let traits = |requests: &str| -> Vec<String> {
+        let requests: Vec<&str> = requests.split("; ").collect();
+        let text = module("cart_pole", named(&requests));
         let lines = text.lines();
         let begins = "impl<R: kane::Real> kane::functions::";
         let traits = lines.filter_map(|line| line.trim_start().strip_prefix(begins));
@@ -108,7 +109,13 @@ fn derivatives_that_generic_code_can_hold_have_their_trait() {
         ["ForwardDynamicsAndDerivatives"]
     );
     assert!(traits("d(forward_dynamics)/d(u, q, tau)").is_empty());
-    assert!(traits("vjp(inverse_dynamics; q)").is_empty());
+    assert!(traits("vjp(inverse_dynamics;q)").is_empty());
+    // Whatever it is called, and once.
+    assert_eq!(
+        traits("step = d(forward_dynamics)/d(q, u, tau); other = d(forward_dynamics)/d(q, u, tau)"),
+        ["ForwardDynamicsDerivatives"]
+    );
+    assert_eq!(traits("other = bias; bias"), ["Bias"]);
 }
 
 #[test]

@@ -50,12 +50,22 @@ pub const TRAITS: [(&str, &str); 14] = [
     ),
 ];
 
+/// A trait of the runtime.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DerivativeTrait {
+    /// Its name.
+    pub name: &'static str,
+    /// The name of its method.
+    pub method: String,
+}
+
 impl Request {
     /// The runtime's trait for these derivatives, where it has one: of these variables, in this order.
-    pub fn derivative_trait(&self) -> Option<&'static str> {
-        let text = self.text();
+    pub fn derivative_trait(&self) -> Option<DerivativeTrait> {
+        let sum = self.sum();
         let mut traits = TRAITS.into_iter();
-        let (_, name) = traits.find(|(known, _)| *known == text)?;
-        Some(name)
+        let (_, name) = traits.find(|(known, _)| *known == sum)?;
+        let method = self.name_of_parts();
+        Some(DerivativeTrait { name, method })
     }
 }

@@ -1,5 +1,6 @@
 //! Text → a request with the places of its words, or every fault in it.
 
+mod given_name;
 pub(super) mod parsed;
 pub(super) mod parsed_subject;
 pub(super) mod request_error;

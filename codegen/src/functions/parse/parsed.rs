@@ -7,6 +7,7 @@
 use std::ops::Range;
 
 use super::{
+    given_name,
     parsed_subject::ParsedSubject,
     request_error::{RequestError, all_or_faults},
     syntax::{self, AT_SIN_COS, Kind, Product, Unexpected, Word, written},
@@ -29,6 +30,8 @@ use crate::{
 pub struct Parsed {
     /// As it was written: places count there.
     text: String,
+    /// What the function is to be called.
+    name: Option<String>,
     parts: Vec<ParsedPart>,
     at_sin_cos: bool,
 }
@@ -48,6 +51,7 @@ pub struct Place {
     is_other: bool,
     parts: Vec<PartPlace>,
     at_sin_cos: bool,
+    name: Option<String>,
 }
 
 /// The same of a part.
@@ -68,14 +72,25 @@ impl Parsed {
     pub fn read(text: &str) -> Result<Self, Vec<RequestError>> {
         let sum = syntax::read(text);
         let sum = sum.map_err(|unexpected| vec![RequestError::syntax(text, unexpected)])?;
+        let name_fault = sum
+            .name
+            .iter()
+            .find_map(given_name::fault)
+            .map(|fault| vec![fault]);
         let parts = sum.parts.iter();
         let parts = parts.map(|part| ParsedPart::of(text, part).map_err(|fault| vec![fault]));
-        let parts = all_or_faults(parts)?;
+        let parts = all_or_faults(parts);
+        let parts = match (name_fault, parts) {
+            (None, parts) => parts?,
+            (Some(fault), Ok(_)) => return Err(fault),
+            (Some(fault), Err(more)) => return Err([fault, more].concat()),
+        };
         if let Some(fault) = joined_fault(text, &parts) {
             return Err(vec![fault]);
         }
         Ok(Self {
             text: text.to_owned(),
+            name: sum.name.map(|name| name.text),
             parts,
             at_sin_cos: sum.at_sin_cos,
         })
@@ -101,7 +116,7 @@ impl Parsed {
     fn resolved(&self, tree: Option<&Tree>) -> Result<Request, Vec<RequestError>> {
         let parts = self.parts.iter().map(|part| part.on(&self.text, tree));
         let parts = all_or_faults(parts)?;
-        Ok(Request::new(parts, self.at_sin_cos))
+        Ok(Request::new(self.name.clone(), parts, self.at_sin_cos))
     }
 
     /// The functions of the whole system among the parts.
@@ -112,15 +127,21 @@ impl Parsed {
     /// The function of the whole system that it asks for, where it asks for one as the catalogue has it.
     pub fn catalogue_function(&self) -> Option<&'static Function> {
         match &self.parts[..] {
-            [part] if !self.at_sin_cos => part.of_system(),
+            [part] if !self.at_sin_cos && self.name.is_none() => part.of_system(),
             _ => None,
         }
     }
 
-    /// As it is asked for, without white space: `mass_matrix+bias(sin_cos)`.
+    /// As it is asked for, in one way of writing it: `mass_matrix+bias(sin_cos)`, `step = mass_matrix+bias`.
     pub fn text(&self) -> String {
         let parts: Vec<String> = self.parts.iter().map(ParsedPart::text).collect();
-        parts.join("+") + if self.at_sin_cos { AT_SIN_COS } else { "" }
+        let sum = parts.join("+") + if self.at_sin_cos { AT_SIN_COS } else { "" };
+        syntax::named(self.name.as_deref(), sum)
+    }
+
+    /// True where it says that the function is to be called so.
+    pub fn is_called(&self, name: &str) -> bool {
+        self.name.as_deref() == Some(name)
     }
 
     /// Where it stands in a module: the catalogue's functions in their order, then the others.
@@ -130,6 +151,7 @@ impl Parsed {
             is_other: self.catalogue_function().is_none(),
             parts,
             at_sin_cos: self.at_sin_cos,
+            name: self.name.clone(),
         }
     }
 }
@@ -441,6 +463,7 @@ impl Request {
     /// let request = Request::parse("mass_matrix+bias").unwrap();
     /// assert_eq!(request.name(), "mass_matrix_and_bias");
     /// assert_eq!(Request::parse("bias(sin_cos)").unwrap().name(), "bias_at_sin_cos");
+    /// assert_eq!(Request::parse("step = mass_matrix+bias").unwrap().name(), "step");
     /// assert!(Request::parse("mass_matrix+mass").is_err());
     /// ```
     ///

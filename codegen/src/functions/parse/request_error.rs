@@ -18,6 +18,16 @@ pub enum RequestError {
         /// The name.
         name: String,
     },
+    /// A name that no function can be given.
+    #[error("`{}` cannot be the name of a function: {why}", name.escape_debug())]
+    Name {
+        /// The name.
+        name: String,
+        /// Why not.
+        why: &'static str,
+        /// Where in the request.
+        place: Range<usize>,
+    },
     /// A part that is there twice.
     #[error("`{request}` names `{name}` twice")]
     Repeated {
@@ -182,7 +192,8 @@ impl RequestError {
     /// Where in the request it is, in bytes; `None` where it is about all of it.
     pub fn place(&self) -> Option<Range<usize>> {
         match self {
-            Self::Syntax { place, .. }
+            Self::Name { place, .. }
+            | Self::Syntax { place, .. }
             | Self::PackedName { place, .. }
             | Self::FrameMissing { place, .. }
             | Self::FrameNotTaken { place, .. }

@@ -1,12 +1,13 @@
 //! The grammar of requests: text to a syntax tree, with the place of every word.
 //!
 //! ```text
-//! request = part ("+" part)* ["(sin_cos)"]
+//! request = [name "="] part ("+" part)* ["(sin_cos)"]
 //! part    = "d" "(" part ")" "/" "d" "(" words ")"
 //!         | "packed" "(" part ")"
 //!         | ("jvp" | "vjp" | "hessian") "(" part ";" words ")"
 //!         | word ["(" words ")"]
 //! words   = word ("," word)*
+//! name    = characters other than = + ( ) , ; "
 //! word    = characters other than + ( ) , ; " | '"' (a character other than " | '""')* '"'
 //! ```
 //!
@@ -22,6 +23,8 @@ pub const AT_SIN_COS: &str = "(sin_cos)";
 /// A request.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sum {
+    /// What the function is to be called.
+    pub name: Option<Word>,
     /// What is asked for together, in order.
     pub parts: Vec<Part>,
     /// True where the function is given sines and cosines.
@@ -126,6 +129,7 @@ pub fn read(text: &str) -> Result<Sum, Unexpected> {
         depth: 0,
         n_words: 0,
     };
+    let name = reader.name();
     let mut parts = vec![reader.part()?];
     while reader.take('+') {
         parts.push(reader.part()?);
@@ -138,7 +142,11 @@ pub fn read(text: &str) -> Result<Sum, Unexpected> {
             "expected `+` or the end"
         }));
     }
-    Ok(Sum { parts, at_sin_cos })
+    Ok(Sum {
+        name,
+        parts,
+        at_sin_cos,
+    })
 }
 
 /// Takes a list of requests apart, at the commas that stand in no brackets and no quotes.
@@ -172,6 +180,14 @@ pub fn written(word: &str) -> String {
         word.to_owned()
     } else {
         format!("\"{}\"", word.replace('"', "\"\""))
+    }
+}
+
+/// A request with what its function is to be called.
+pub fn named(name: Option<&str>, sum: String) -> String {
+    match name {
+        Some(name) => format!("{name} = {sum}"),
+        None => sum,
     }
 }
 
@@ -229,6 +245,23 @@ impl<'a> Reader<'a> {
         let inner = self.rest().strip_prefix('(');
         let inner = inner.and_then(|inner| inner.trim_end().strip_suffix(')'));
         inner.is_some_and(|inner| inner.trim() == "sin_cos")
+    }
+
+    /// What stands before the first `=`, if that comes before all that a part may have.
+    fn name(&mut self) -> Option<Word> {
+        self.skip();
+        let (start, rest) = (self.at, self.rest());
+        let end = rest.find(|character| character == '=' || is_special(character))?;
+        if !rest[end..].starts_with('=') {
+            return None;
+        }
+        let text = rest[..end].trim_end().to_owned();
+        self.at = start + end + 1;
+        Some(Word {
+            place: start..start + text.len(),
+            text,
+            is_quoted: false,
+        })
     }
 
     fn part(&mut self) -> Result<Part, Unexpected> {

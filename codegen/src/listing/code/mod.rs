@@ -9,5 +9,5 @@ mod statement;
 pub use entry::{Entry, Member, Step};
 pub use expression::{Expression, Tightness};
 pub use local::{Array, ArrayId, Local, LocalId};
-pub use stage::{Kept, STAGE_INFIX, Stage};
+pub use stage::{Kept, Stage};
 pub use statement::{Code, Statement};

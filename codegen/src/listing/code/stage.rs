@@ -3,9 +3,6 @@
 use super::{Code, Expression};
 use crate::functions::Signature;
 
-/// What stands between the name of a function and the number of a stage.
-pub const STAGE_INFIX: &str = "_stage_";
-
 /// A part of a long function, or of a long loop.
 #[derive(Clone, Debug)]
 pub struct Stage {

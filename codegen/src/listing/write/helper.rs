@@ -1,10 +1,10 @@
 //! How helpers are declared, and where they find what they are given.
 
 use super::InputPlaces;
-use crate::listing::{HELPER_INFIX, Role, Step};
+use crate::listing::{Role, Step};
 use crate::{
     expr::Input,
-    functions::{Declared, Element, Length, Signature},
+    functions::{Declared, Element, HELPER_INFIX, Length, Signature},
     program::{Helper, Program, ValueFacts},
 };
 

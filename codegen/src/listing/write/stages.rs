@@ -5,9 +5,9 @@ use std::{
     ops::Range,
 };
 
-use crate::functions::{Declared, Signature};
+use crate::functions::{Declared, STAGE_INFIX, Signature};
 use crate::listing::{
-    Array, ArrayId, Code, Entry, Expression, Kept, Local, LocalId, STAGE_INFIX, Stage, Statement,
+    Array, ArrayId, Code, Entry, Expression, Kept, Local, LocalId, Stage, Statement,
 };
 use crate::taken::Taken;
 

@@ -67,6 +67,11 @@ impl<'a> FunctionWriter<'a> {
         let (request, program) = (&emittable.request, &emittable.program);
         let signature = request.signature();
         let arguments = request.arguments();
+        // A trait is implemented once, whatever other names what it stands for has.
+        let others = &self.compiled.functions[..place];
+        let is_first = others
+            .iter()
+            .all(|other| other.request.sum() != request.sum());
         let scratch = Scratch::of(program, signature.arguments.len());
         let code = self.code(&Body {
             program,
@@ -85,8 +90,8 @@ impl<'a> FunctionWriter<'a> {
         Function {
             request: Some(request.text()),
             arguments,
-            catalogue_part: request.catalogue_part().cloned(),
-            derivative_trait: request.derivative_trait(),
+            catalogue_part: request.catalogue_part().filter(|_| is_first).cloned(),
+            derivative_trait: request.derivative_trait().filter(|_| is_first),
             pattern: self.pattern(place),
             formulation: emittable.formulation,
             has_choice: request.formulations().len() > 1,

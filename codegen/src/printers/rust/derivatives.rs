@@ -7,10 +7,9 @@ use crate::listing::Function;
 
 /// The implementation of the trait for a function that has one.
 pub(super) fn trait_impl(function: &Function) -> Option<Item> {
-    let (name, own) = (
-        ident(function.derivative_trait?),
-        ident(&function.signature.name),
-    );
+    let known = function.derivative_trait.as_ref()?;
+    let (name, method) = (ident(known.name), ident(&known.method));
+    let own = ident(&function.signature.name);
     // The first one is `self`.
     let arguments = function.signature.arguments.iter().skip(1);
     let names = arguments.clone().map(|argument| ident(&argument.name));
@@ -18,7 +17,7 @@ pub(super) fn trait_impl(function: &Function) -> Option<Item> {
     Some(parse_quote! {
         impl<R: kane::Real> kane::functions::#name<R> for Prepared<R> {
             #[inline]
-            fn #own(&self, #(#declared),*) {
+            fn #method(&self, #(#declared),*) {
                 self::#own(self, #(#names),*);
             }
         }

@@ -9,11 +9,7 @@ use super::{
     program::{Affine, Program},
     sizes::{FEET, FORCES, MOTORS, ROOT, Scalar},
 };
-use crate::solo12::{
-    self, NQ, NU, Prepared,
-    center_of_mass_and_centroidal_momentum_matrix_and_centroidal_momentum_matrix_dot_u_and_base_link_pose_and_base_link_velocity_and_base_link_jacobian_and_base_link_jacobian_dot_u as balance,
-    fl_foot_jacobian_and_fr_foot_jacobian_and_hl_foot_jacobian_and_hr_foot_jacobian_and_fl_foot_jacobian_dot_u_and_fr_foot_jacobian_dot_u_and_hl_foot_jacobian_dot_u_and_hr_foot_jacobian_dot_u as feet,
-};
+use crate::solo12::{self, NQ, NU, Prepared, balance, feet};
 
 /// `ω`, rad/s.
 const BANDWIDTH: Scalar = 15.0;

@@ -3,10 +3,7 @@
 use std::array::from_fn;
 
 use super::sizes::FEET;
-use crate::solo12::{
-    self, NQ, NU, Prepared,
-    fl_foot_pose_and_fr_foot_pose_and_hl_foot_pose_and_hr_foot_pose_and_fl_foot_velocity_and_fr_foot_velocity_and_hl_foot_velocity_and_hr_foot_velocity as motion,
-};
+use crate::solo12::{self, NQ, NU, Prepared, contacts};
 
 /// Of the ground in each direction, N/m: the robot's weight sinks in by 0.6 mm.
 const STIFFNESS: f64 = 1e4;
@@ -31,7 +28,7 @@ impl Feet {
             let [fl, fr, hl, hr] = &mut position;
             let [fl_v, fr_v, hl_v, hr_v] = &mut velocity;
             let [fl_w, fr_w, hl_w, hr_w] = &mut angular;
-            motion(
+            contacts(
                 robot, q, u, fl_r, fl, fr_r, fr, hl_r, hl, hr_r, hr, //
                 fl_v, fl_w, fr_v, fr_w, hl_v, hl_w, hr_v, hr_w,
             );

@@ -98,8 +98,16 @@ pub(crate) fn run(
     out: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
     let mut failures = Failures::default();
-    let function = failures.keep(options::request(&arguments.function));
-    let job = failures.keep(listed::looked_at(&arguments.model, &arguments.changes));
+    let job = listed::looked_at(&arguments.model, &arguments.changes);
+    let functions = job
+        .as_ref()
+        .ok()
+        .map(|job| job.options.functions.requests());
+    let mut functions = functions.into_iter().flatten();
+    let named = functions.find(|own| own.is_called(&arguments.function));
+    let function = named.map_or_else(|| options::request(&arguments.function), Ok);
+    let function = failures.keep(function);
+    let job = failures.keep(job);
     let checked = job.as_ref().map(Job::checked);
     let checked = checked.and_then(|checked| failures.keep(checked));
     let state = arguments.state.as_deref().map(read_state);
