@@ -55,25 +55,25 @@ pub(crate) fn of(
     name: &str,
 ) -> Result<Vec<Companion>, Error> {
     let mut companions = Vec::new();
-    let c_name = kinds.contains(&CompanionKind::Abi(Abi::C)).then_some(name);
+    let prefix = kinds.contains(&CompanionKind::Abi(Abi::C)).then_some(name);
     for kind in kinds {
-        let texts = texts(*kind, given, name, c_name)?;
+        let texts = texts(*kind, given, name, prefix)?;
         let texts = kind.endings().iter().zip(texts);
         companions.extend(texts.map(|(&ending, text)| Companion { ending, text }));
     }
     Ok(companions)
 }
 
-/// The texts of the files of one kind; `c_name` is what names in C begin with, if there are any.
+/// The texts of the files of one kind; `prefix` is what names in C begin with, if functions can be called from there.
 fn texts(
     kind: CompanionKind,
     given: &Ingredients<'_>,
     name: &str,
-    c_name: Option<&str>,
+    prefix: Option<&str>,
 ) -> Result<Vec<String>, Error> {
     let module = given.module;
     Ok(match kind {
-        CompanionKind::Manifest => vec![json::manifest(module, c_name)],
+        CompanionKind::Manifest => vec![json::manifest(module, prefix)],
         CompanionKind::Tests => {
             let (samples, values) = samples::of(given.tree, given.compiled, module)?;
             vec![rust::self_tests(module, name, &samples, &values)]

@@ -20,7 +20,7 @@ const MOST_TRIED: usize = 400_000;
 pub(super) fn cheapest(
     tree: &Tree,
     request: &Request,
-    together: Planned,
+    together: &Planned,
     own: &[Planned],
 ) -> Planned {
     let plans = own.iter().map(|own| own.arrangement.plan(0).clone());
@@ -29,7 +29,7 @@ pub(super) fn cheapest(
     let mut search = Search {
         tree,
         request,
-        least: cost(&together),
+        least: cost(together),
         best: together.clone(),
     };
     search.try_one(own.clone());

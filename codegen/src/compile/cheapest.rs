@@ -42,7 +42,7 @@ fn one_by_one(plans: &Plans<'_>, request: &Request) -> Planned {
     }
     let alone = request.alone();
     let own = alone.iter().map(|part| by_one_plan(plans, part));
-    arranged::cheapest(plans.tree, request, together, &own.collect::<Vec<_>>())
+    arranged::cheapest(plans.tree, request, &together, &own.collect::<Vec<_>>())
 }
 
 /// The function by the cheapest plan for all its parts.

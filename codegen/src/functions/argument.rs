@@ -8,6 +8,7 @@ use std::borrow::Cow;
 use super::{
     multiplier::Multiplier,
     shape::{Element, Length, Shape},
+    unit::{ACCELERATION, FORCE, SPEED, Unit},
 };
 use crate::{
     expr::Input,
@@ -61,7 +62,9 @@ struct Row {
     name: &'static str,
     element: Element,
     shape: Shape,
+    /// Without the unit.
     meaning: &'static str,
+    unit: Unit,
     /// The constant that holds its samples in the tests beside a module; `None` for what `kane::self_test::State` holds.
     sampled: Option<&'static str>,
     /// The input that stands at a place, all entries one after the other.
@@ -69,11 +72,11 @@ struct Row {
 }
 
 impl Row {
-    /// A direction.
-    fn of_direction(
+    /// Numbers of which the tests beside a module hold samples.
+    fn sampled(
         name: &'static str,
         shape: Shape,
-        meaning: &'static str,
+        (meaning, unit): (&'static str, Unit),
         (sampled, input): (&'static str, fn(usize) -> Input),
     ) -> Self {
         Self {
@@ -81,6 +84,7 @@ impl Row {
             element: Element::Scalar,
             shape,
             meaning,
+            unit,
             sampled: Some(sampled),
             input,
         }
@@ -90,7 +94,7 @@ impl Row {
     fn of_state(
         name: &'static str,
         shape: Shape,
-        meaning: &'static str,
+        (meaning, unit): (&'static str, Unit),
         input: fn(usize) -> Input,
     ) -> Self {
         Self {
@@ -98,6 +102,7 @@ impl Row {
             element: Element::Scalar,
             shape,
             meaning,
+            unit,
             sampled: None,
             input,
         }
@@ -150,30 +155,33 @@ impl Argument {
 
     /// The rows of directions.
     fn of_direction(self) -> Option<Row> {
-        let direction = Row::of_direction;
+        let direction = Row::sampled;
         Some(match self {
             Self::QDirection => direction(
                 "q_direction",
                 Shape::SPEEDS,
-                "speeds of a motion along which `q` changes",
+                (
+                    "the change of `q` along the motion of each speed",
+                    Unit::Of(&["rad", "m"]),
+                ),
                 ("Q_DIRECTIONS", |place| Input::Product(0, place)),
             ),
             Self::UDirection => direction(
                 "u_direction",
                 Shape::SPEEDS,
-                "the change of `u`",
+                ("the change of `u`", Unit::Of(&SPEED)),
                 ("U_DIRECTIONS", |place| Input::Product(1, place)),
             ),
             Self::UDotDirection => direction(
                 "u_dot_direction",
                 Shape::SPEEDS,
-                "the change of `u_dot`",
+                ("the change of `u_dot`", Unit::Of(&ACCELERATION)),
                 ("U_DOT_DIRECTIONS", |place| Input::Product(2, place)),
             ),
             Self::TauDirection => direction(
                 "tau_direction",
                 Shape::SPEEDS,
-                "the change of `tau`",
+                ("the change of `tau`", Unit::Of(&FORCE)),
                 ("TAU_DIRECTIONS", |place| Input::Product(3, place)),
             ),
             Self::LoadsDirection => Row {
@@ -181,14 +189,17 @@ impl Argument {
                 ..direction(
                     "loads_direction",
                     Shape::BODY_SCALARS,
-                    "the change of `loads`",
+                    ("the change of `loads`", Self::Loads.unit()),
                     ("LOADS_DIRECTIONS", |place| Input::Product(4, place)),
                 )
             },
             Self::ParametersDirection => direction(
                 "parameters_direction",
                 Shape::VALUES,
-                "the change of the values set at run time, in the order of `PARAMETER_NAMES`",
+                (
+                    "the change of the values set at run time, in the order of `PARAMETER_NAMES`",
+                    Unit::UNKNOWN,
+                ),
                 ("PARAMETERS_DIRECTIONS", |place| Input::Product(5, place)),
             ),
             _ => return None,
@@ -201,31 +212,30 @@ impl Argument {
             Self::Q => Row::of_state(
                 "q",
                 Shape::COORDINATES,
-                "coordinates, rad and m; quaternions have no unit",
+                ("coordinates", Unit::COORDINATES),
                 |place| Input::Q(CoordinateId::new(place)),
             ),
-            Self::U => Row::of_state("u", Shape::SPEEDS, "speeds, rad/s and m/s", |place| {
+            Self::U => Row::of_state("u", Shape::SPEEDS, ("speeds", Unit::Of(&SPEED)), |place| {
                 Input::U(SpeedId::new(place))
             }),
             Self::UDot => Row::of_state(
                 "u_dot",
                 Shape::SPEEDS,
-                "rates of the speeds, rad/s^2 and m/s^2",
+                ("rates of the speeds", Unit::Of(&ACCELERATION)),
                 |place| Input::UDot(SpeedId::new(place)),
             ),
-            Self::Tau => Row {
-                name: "tau",
-                element: Element::Scalar,
-                shape: Shape::SPEEDS,
-                meaning: "generalized forces, N m and N",
-                sampled: Some("FORCES"),
-                input: |place| Input::Tau(SpeedId::new(place)),
-            },
+            Self::Tau => Row::sampled(
+                "tau",
+                Shape::SPEEDS,
+                ("generalized forces", Unit::Of(&FORCE)),
+                ("FORCES", |place| Input::Tau(SpeedId::new(place))),
+            ),
             Self::Loads => Row {
                 name: "loads",
                 element: Element::Load,
                 shape: Shape::BODY_SCALARS,
-                meaning: "force at the mass centre and moment on each body, body components, N and N m",
+                meaning: "force at the mass centre and moment on each body, body components",
+                unit: Unit::Of(&["N", "N m"]),
                 sampled: Some("LOADS"),
                 input: |place| {
                     let (body, component) = (BodyId::new(place / 6), place % 6);
@@ -236,38 +246,38 @@ impl Argument {
                     }
                 },
             },
-            Self::RelativeAngularVelocity => Row {
-                name: "w_rel",
-                element: Element::Scalar,
-                shape: Shape::BODY_VECTORS,
-                meaning: "angular velocity of each body relative to its lower body, body components, rad/s",
-                sampled: Some("RELATIVE_ANGULAR_VELOCITIES"),
-                input: |place| Input::RelativeAngularVelocity(BodyId::new(place / 3), place % 3),
-            },
-            Self::Point => Row {
-                name: "point",
-                element: Element::Scalar,
-                shape: Shape::VECTOR,
-                meaning: "from the frame's origin, along the frame's axes, m",
-                sampled: Some("POINTS"),
-                input: Input::Point,
-            },
-            Self::Force => Row {
-                name: "force",
-                element: Element::Scalar,
-                shape: Shape::VECTOR,
-                meaning: "force at the frame's origin, N",
-                sampled: Some("FRAME_FORCES"),
-                input: Input::FrameForce,
-            },
-            Self::Moment => Row {
-                name: "moment",
-                element: Element::Scalar,
-                shape: Shape::VECTOR,
-                meaning: "moment on the frame, N m",
-                sampled: Some("FRAME_MOMENTS"),
-                input: Input::FrameMoment,
-            },
+            Self::RelativeAngularVelocity => Row::sampled(
+                "w_rel",
+                Shape::BODY_VECTORS,
+                (
+                    "angular velocity of each body relative to its lower body, body components",
+                    Unit::Of(&["rad/s"]),
+                ),
+                ("RELATIVE_ANGULAR_VELOCITIES", |place| {
+                    Input::RelativeAngularVelocity(BodyId::new(place / 3), place % 3)
+                }),
+            ),
+            Self::Point => Row::sampled(
+                "point",
+                Shape::VECTOR,
+                (
+                    "from the frame's origin, along the frame's axes",
+                    Unit::Of(&["m"]),
+                ),
+                ("POINTS", Input::Point),
+            ),
+            Self::Force => Row::sampled(
+                "force",
+                Shape::VECTOR,
+                ("force at the frame's origin", Unit::Of(&["N"])),
+                ("FRAME_FORCES", Input::FrameForce),
+            ),
+            Self::Moment => Row::sampled(
+                "moment",
+                Shape::VECTOR,
+                ("moment on the frame", Unit::Of(&["N m"])),
+                ("FRAME_MOMENTS", Input::FrameMoment),
+            ),
             _ => unreachable!("functions: {self:?} is of a product"),
         }
     }
@@ -294,6 +304,12 @@ impl Argument {
     pub fn meaning(self) -> &'static str {
         let own = self.multiplier().map(Multiplier::meaning);
         own.unwrap_or_else(|| self.row().meaning)
+    }
+
+    /// The units of its entries. A multiplier has those that whoever calls gives it: entries of different units are added.
+    pub fn unit(self) -> Unit {
+        let own = self.multiplier().map(|_| Unit::UNKNOWN);
+        own.unwrap_or_else(|| self.row().unit)
     }
 
     /// The constant that holds its samples in the tests beside a module; `None` for what `kane::self_test::State` holds.

@@ -11,6 +11,7 @@ use super::{
     subject::View,
     terms::Terms,
     told::{Beside, KnownMatrix, ReadOff},
+    unit::Unit,
 };
 use crate::{
     expr::{Expr, ExprGraph},
@@ -52,7 +53,8 @@ pub struct Function {
     /// The forces that given accelerations need, where its output is the accelerations that given forces make.
     pub(super) inverse_dynamics: Option<InverseDynamicsFn>,
     /// Lines of documentation: meaning, equation, frame, unit, signs, the aliases people search for. In that of a
-    /// function of a frame words in braces stand for what the frame is and how it is seen.
+    /// function of a frame words in braces stand for what the frame is and how it is seen; the name of an output in braces stands
+    /// for its unit. The first sentence says what an only output means.
     pub doc: &'static [&'static str],
     /// How its values are derived.
     pub(super) derivation: Derivation,
@@ -128,32 +130,40 @@ pub struct Output {
     pub shape: Shape,
     /// What it is multiplied by where its function is differentiated: the argument's name.
     pub(super) multiplier: &'static str,
+    /// What it means, in words, as in [`Function::doc`]; empty where the first sentence there says it.
+    pub(super) meaning: Cow<'static, str>,
+    /// The units of its entries.
+    pub unit: Unit,
 }
 
 impl Output {
     /// The only output of a function, with a name of the catalogue.
-    pub(super) const fn new(name: &'static str, shape: Shape) -> Self {
-        Self::of_several(name, MULTIPLIER, shape)
+    pub(super) const fn new(name: &'static str, shape: Shape, unit: Unit) -> Self {
+        Self::of_several((name, MULTIPLIER), shape, unit, "")
     }
 
     /// One of several, which have a multiplier each.
     pub(super) const fn of_several(
-        name: &'static str,
-        multiplier: &'static str,
+        (name, multiplier): (&'static str, &'static str),
         shape: Shape,
+        unit: Unit,
+        meaning: &'static str,
     ) -> Self {
         Self {
             name: Cow::Borrowed(name),
             shape,
             multiplier,
+            meaning: Cow::Borrowed(meaning),
+            unit,
         }
     }
 
-    /// One with a name that follows from others.
-    pub(super) fn named(name: String, shape: Shape) -> Self {
+    /// One of a derivative.
+    pub(super) fn derived(name: String, shape: Shape, unit: Unit, meaning: String) -> Self {
         Self {
             name: name.into(),
-            ..Self::new("", shape)
+            meaning: meaning.into(),
+            ..Self::new("", shape, unit)
         }
     }
 }

@@ -25,6 +25,7 @@ mod signature;
 mod subject;
 mod terms;
 mod told;
+mod unit;
 mod variable;
 
 pub use argument::Argument;
@@ -55,4 +56,5 @@ pub use shape::{
 };
 pub use signature::{Access, Declared, HELPER_INFIX, PREPARED, SIN_COS, STAGE_INFIX, Signature};
 pub use subject::{Subject, SubjectFrame, View};
+pub use unit::{BySpeed, FORCE, SPEED, Unit};
 pub use variable::{PARAMETER_NAMES, PARAMETERS, Variable};

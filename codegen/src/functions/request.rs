@@ -156,7 +156,10 @@ impl Request {
                 [_] => part.name(),
                 _ => format!("{}_{}", part.name(), output.name),
             };
-            Output::named(own, output.shape)
+            Output {
+                name: own.into(),
+                ..output.clone()
+            }
         };
         outputs.iter().map(named).collect()
     }

@@ -1,5 +1,7 @@
 //! What a generated function is given and writes, argument by argument: every text that declares it follows from this.
 
+use std::borrow::Cow;
+
 use super::{
     argument::Argument,
     function::{Function, PRESCRIBED},
@@ -7,6 +9,7 @@ use super::{
     part::Part,
     request::Request,
     shape::{Element, Length},
+    unit::Unit,
     variable::PARAMETER_NAMES,
 };
 
@@ -46,7 +49,9 @@ pub struct Declared {
     /// What is done with it.
     pub access: Access,
     /// What it means, in words.
-    pub meaning: &'static str,
+    pub meaning: Cow<'static, str>,
+    /// The units of its entries.
+    pub unit: Unit,
 }
 
 /// What is done with an argument.
@@ -67,10 +72,7 @@ impl Signature {
                 line.replace(&format!("`{table}`"), &format!("`{prefix}{table}`"))
             })
         });
-        let arguments = self.arguments.iter().map(|argument| {
-            let Declared { name, meaning, .. } = argument;
-            format!("- `{name}`: {meaning}")
-        });
+        let arguments = self.arguments.iter().map(Declared::line);
         doc.chain([String::new()]).chain(arguments).collect()
     }
 }
@@ -83,7 +85,8 @@ impl Declared {
             element,
             lengths: Vec::new(),
             access: Access::Read,
-            meaning,
+            meaning: meaning.into(),
+            unit: Unit::UNKNOWN,
         }
     }
 
@@ -91,7 +94,17 @@ impl Declared {
     pub(crate) fn written(name: &str, element: Element) -> Self {
         Self {
             access: Access::Written,
-            ..Self::read(name, element, "is written, whole")
+            ..Self::read(name, element, "")
+        }
+    }
+
+    /// What is said of it below the documentation, which says already what is written.
+    fn line(&self) -> String {
+        let (name, meaning) = (&self.name, &self.meaning);
+        match (self.access, self.unit.text().as_str()) {
+            (Access::Written, _) => format!("- `{name}`: is written, whole"),
+            (Access::Read, "") => format!("- `{name}`: {meaning}"),
+            (Access::Read, unit) => format!("- `{name}`: {meaning}, {unit}"),
         }
     }
 
@@ -116,6 +129,7 @@ impl Argument {
     pub fn declared(self) -> Declared {
         Declared {
             lengths: self.declared_lengths(),
+            unit: self.unit(),
             ..Declared::read(self.name(), self.element(), self.meaning())
         }
     }
@@ -129,15 +143,20 @@ impl Request {
             arguments.push(argument.declared());
             if argument == Argument::Q && self.is_at_sin_cos() {
                 let meaning = "what `sin_cos` writes from this `q`";
-                arguments.push(Declared::read(SIN_COS, Element::SinCos, meaning));
+                arguments.push(Declared {
+                    unit: Unit::ONE,
+                    ..Declared::read(SIN_COS, Element::SinCos, meaning)
+                });
             }
         }
         for part in self.parts() {
-            arguments.extend(self.outputs_of(part).into_iter().map(|output| {
+            let outputs = self.outputs_of(part).into_iter();
+            arguments.extend(outputs.map(|output| {
+                let own = |dimension| part.own_declared(dimension);
                 Declared {
-                    lengths: output
-                        .shape
-                        .declared(|dimension| part.own_declared(dimension)),
+                    lengths: output.shape.declared(own),
+                    meaning: part.meaning(&output).into(),
+                    unit: output.unit,
                     ..Declared::written(&output.name, Element::Scalar)
                 }
             }));

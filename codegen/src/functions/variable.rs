@@ -7,6 +7,7 @@ use super::{
     argument::Argument,
     roots,
     shape::{Dimension, Shape},
+    unit::Unit,
 };
 use crate::{
     differentiate::{Seeds, forward},
@@ -28,6 +29,8 @@ pub enum Variable {
         id: ParameterId,
         /// The field of `Parameters`.
         name: String,
+        /// Its unit.
+        unit: &'static str,
     },
 }
 
@@ -65,6 +68,7 @@ impl Variable {
             Some(Self::Parameter {
                 id: ParameterId::new(place),
                 name: name.to_owned(),
+                unit: tree.parameters[place].unit,
             })
         };
         let all = (name == PARAMETERS).then_some(Self::Parameters);
@@ -128,6 +132,16 @@ impl Variable {
                 "the values set at run time, in the order of `PARAMETER_NAMES`".to_owned()
             }
             Self::Given(_) | Self::Parameter { .. } => format!("`{name}`"),
+        }
+    }
+
+    /// The units of its entries.
+    pub(super) fn unit(&self) -> Unit {
+        match self {
+            Self::Given(Argument::Q) => Argument::QDirection.unit(),
+            Self::Given(argument) => argument.unit(),
+            Self::Parameters => Unit::UNKNOWN,
+            Self::Parameter { unit, .. } => Unit::Quotients(vec![(*unit).to_owned()]),
         }
     }
 

@@ -22,7 +22,8 @@ pub use constants::{Constant, Data};
 pub(crate) use facts::N_ANGLES;
 pub use facts::{
     Angle, BaseParameters, BaseTerm, Body, Colors, Counted, Entries, Extent, Facts, Frame,
-    FrameSpeeds, Joint, JointChart, Limits, Pattern, Size, Sizes, Units, nominal, read_nominal,
+    FrameSpeeds, Joint, JointChart, Limits, Mimic, Moved, Pattern, Size, Sizes, Turned, Units,
+    nominal, read_nominal,
 };
 pub use function::Function;
 pub use helper::{Helper, Role};

@@ -33,6 +33,9 @@ pub enum Abi {
 /// The functions by which the states of tests are scaled: where mass centres are, and what forces motions take.
 pub(crate) const SCALES: [&str; 2] = ["mass_center_position", "inverse_dynamics"];
 
+/// The ending of the header, the file of [`Abi::C`] that programs in C include.
+pub(crate) const HEADER: &str = ".h";
+
 /// What [`can_be_beside`] asks of a name.
 pub const EXPECTED_NAME: &str =
     "expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust";
@@ -54,7 +57,7 @@ impl CompanionKind {
         match self {
             Self::Manifest => &[".json"],
             Self::Tests => &["_tests.rs"],
-            Self::Abi(Abi::C) => &["_c.rs", ".h"],
+            Self::Abi(Abi::C) => &["_c.rs", HEADER],
         }
     }
 

@@ -7,7 +7,6 @@ use crate::diagnostic::{Diagnostic, shown_name};
 use crate::geometry::{self, Rotation};
 use crate::id::BodyId;
 use crate::tree::body::{Body, Pose};
-use crate::tree::rotations::snapped;
 use crate::tree::value::{Parameter, Value};
 
 /// A frame that the user gave a name: a body that is fixed to another, and is part of that, or a marker.
@@ -46,15 +45,13 @@ impl Frame {
         parameters: &[Parameter],
         snap: f64,
     ) -> Self {
-        let from = pose.origin.clone().join(&base.origin, true);
-        let back = geometry::transposed(&base.rotation);
         Self {
             name,
             identifier,
             joint: None,
             body,
-            rotation: snapped(&geometry::then(&back, &pose.rotation), snap).0,
-            position: geometry::apply(&base.rotation, from.nominal(parameters)),
+            rotation: pose.rotation_from(base, snap),
+            position: pose.position_from(base, parameters),
             pose: pose.clone(),
             turn: None,
         }

@@ -106,12 +106,16 @@ impl CoordinateKind {
         }
     }
 
-    /// "rad", "m" or "1".
+    /// The units: of angles, of translations, of Euler parameters.
+    pub const UNITS: [&'static str; 3] = ["rad", "m", "1"];
+
+    /// Its own of these.
     pub fn unit(self) -> &'static str {
+        let [angle, translation, parameter] = Self::UNITS;
         match self {
-            Self::Angle(_) => "rad",
-            Self::EulerParameter(_) => "1",
-            Self::Translation(_) => "m",
+            Self::Angle(_) => angle,
+            Self::EulerParameter(_) => parameter,
+            Self::Translation(_) => translation,
         }
     }
 

@@ -42,8 +42,10 @@ mod values;
 // What is read off a tree, or marked in it.
 mod angles;
 mod canonical;
+mod joint_kind;
 mod named;
 mod prescribed;
+mod seen;
 mod user_parts;
 
 pub use crate::description::Order;

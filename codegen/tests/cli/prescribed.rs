@@ -288,9 +288,13 @@ fn manifest_and_header_say_which_speeds_they_are() {
     let arguments = hybrid["arguments"].as_array().unwrap().iter();
     let arguments: Vec<&Value> = arguments.map(|argument| &argument["name"]).collect();
     assert_eq!(arguments, ["p", "q", "u", "u_dot", "tau"]);
+    let outputs = hybrid["outputs"].as_array().unwrap().iter();
+    let outputs: Vec<[&Value; 2]> = outputs
+        .map(|own| ["name", "shape"].map(|key| &own[key]))
+        .collect();
     assert_eq!(
-        hybrid["outputs"],
-        json!([{ "name": "whole_u_dot", "shape": [2] }, { "name": "whole_tau", "shape": [2] }])
+        json!(outputs),
+        json!([["whole_u_dot", [2]], ["whole_tau", [2]]])
     );
     let header = project.read("generated/arm.h");
     assert!(

@@ -75,7 +75,7 @@ pub unsafe extern "C" fn cart_pole_prepare_f32(
 /// Sines and cosines of the angles among the coordinates, for the functions whose names end in `_at_sin_cos`.
 ///
 /// - `p`: prepared parameters
-/// - `q`: coordinates, rad and m; quaternions have no unit
+/// - `q`: coordinates, rad and m; 1 in quaternions
 /// - `sin_cos`: is written, whole
 ///
 /// # Safety
@@ -109,7 +109,7 @@ pub unsafe extern "C" fn cart_pole_sin_cos_f32(
 /// Mass matrix, `A` of Eq. (42), with `M u_dot + bias = tau`: symmetric, every entry written. Also known as joint-space inertia, crba.
 ///
 /// - `p`: prepared parameters
-/// - `q`: coordinates, rad and m; quaternions have no unit
+/// - `q`: coordinates, rad and m; 1 in quaternions
 /// - `m`: is written, whole
 ///
 /// # Safety
@@ -143,7 +143,7 @@ pub unsafe extern "C" fn cart_pole_mass_matrix_f32(
 /// Right-hand side `f` of Eqs. (41), (43): `M u_dot = f`; the loads' generalized forces less the bias.
 ///
 /// - `p`: prepared parameters
-/// - `q`: coordinates, rad and m; quaternions have no unit
+/// - `q`: coordinates, rad and m; 1 in quaternions
 /// - `u`: speeds, rad/s and m/s
 /// - `loads`: force at the mass centre and moment on each body, body components, N and N m
 /// - `f`: is written, whole
@@ -183,7 +183,7 @@ pub unsafe extern "C" fn cart_pole_forcing_f32(
 /// Rates of the coordinates: speeds that are rates, Eq. (44); from angular velocities those of angles, Eq. (9), or half of Hamilton's product `e (0, w)`.
 ///
 /// - `p`: prepared parameters
-/// - `q`: coordinates, rad and m; quaternions have no unit
+/// - `q`: coordinates, rad and m; 1 in quaternions
 /// - `u`: speeds, rad/s and m/s
 /// - `q_dot`: is written, whole
 ///
@@ -221,7 +221,7 @@ pub unsafe extern "C" fn cart_pole_q_dot_f32(
 /// Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.
 ///
 /// - `p`: prepared parameters
-/// - `q`: coordinates, rad and m; quaternions have no unit
+/// - `q`: coordinates, rad and m; 1 in quaternions
 /// - `u`: speeds, rad/s and m/s
 /// - `tau`: generalized forces, N m and N
 /// - `u_dot`: is written, whole
@@ -264,7 +264,7 @@ pub unsafe extern "C" fn cart_pole_forward_dynamics_f32(
 /// `sin_cos` holds what the function `sin_cos` computes from this `q`, once for all that are called there.
 ///
 /// - `p`: prepared parameters
-/// - `q`: coordinates, rad and m; quaternions have no unit
+/// - `q`: coordinates, rad and m; 1 in quaternions
 /// - `sin_cos`: what `sin_cos` writes from this `q`
 /// - `u`: speeds, rad/s and m/s
 /// - `bias`: is written, whole

@@ -218,7 +218,7 @@ void panda_prepare_f32(
 /// Rates of the coordinates: speeds that are rates, Eq. (44); from angular velocities those of angles, Eq. (9), or half of Hamilton's product `e (0, w)`.
 ///
 /// - `p`: prepared parameters
-/// - `q`: coordinates, rad and m; quaternions have no unit
+/// - `q`: coordinates, rad and m; 1 in quaternions
 /// - `u`: speeds, rad/s and m/s
 /// - `q_dot`: is written, whole
 void panda_q_dot_f64(
@@ -237,7 +237,7 @@ void panda_q_dot_f32(
 /// N m for an angle's speed, N for a translation's.
 ///
 /// - `p`: prepared parameters
-/// - `q`: coordinates, rad and m; quaternions have no unit
+/// - `q`: coordinates, rad and m; 1 in quaternions
 /// - `u`: speeds, rad/s and m/s
 /// - `u_dot`: rates of the speeds, rad/s^2 and m/s^2
 /// - `tau`: is written, whole

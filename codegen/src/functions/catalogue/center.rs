@@ -7,15 +7,16 @@ use crate::functions::{
     roots,
     shape::Shape,
     terms::Terms,
+    unit::{LEVER, Unit},
 };
 
 pub(super) const CENTER_OF_MASS: Function = Function {
     name: "center_of_mass",
     trait_name: Some("CenterOfMass"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("position", Shape::VECTOR)],
+    outputs: &[Output::new("position", Shape::VECTOR, Unit::Of(&["m"]))],
     doc: &[
-        "Mass centre of all bodies, from the inertial origin: inertial components, m. Also known as centre of mass, com.",
+        "Mass centre of all bodies, from the inertial origin: inertial components, {position}. Also known as centre of mass, com.",
         "Mass that is fixed to the inertial frame does not count. Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.",
     ],
     derivation: Derivation::EitherWay(roots::center::center_of_mass),
@@ -26,9 +27,9 @@ pub(super) const CENTER_OF_MASS_VELOCITY: Function = Function {
     name: "center_of_mass_velocity",
     trait_name: Some("CenterOfMassVelocity"),
     arguments: &[Argument::Q, Argument::U],
-    outputs: &[Output::new("velocity", Shape::VECTOR)],
+    outputs: &[Output::new("velocity", Shape::VECTOR, Unit::Of(&["m/s"]))],
     doc: &[
-        "Velocity of the mass centre of all bodies in the inertial frame: inertial components, m/s; zero where no body has mass.",
+        "Velocity of the mass centre of all bodies in the inertial frame: inertial components, {velocity}; zero where no body has mass.",
         "Masses that are zero at run time alone give NaN.",
     ],
     derivation: Derivation::EitherWay(roots::center::center_of_mass_velocity),
@@ -39,7 +40,11 @@ pub(super) const CENTER_OF_MASS_JACOBIAN: Function = Function {
     name: "center_of_mass_jacobian",
     trait_name: Some("CenterOfMassJacobian"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("jacobian", Shape::VECTOR_BY_SPEEDS)],
+    outputs: &[Output::new(
+        "jacobian",
+        Shape::VECTOR_BY_SPEEDS,
+        Unit::BySpeed(LEVER),
+    )],
     doc: &[
         "Partial velocities of the mass centre of all bodies, a column for each speed: its velocity is this matrix times `u`, inertial components.",
         "Also known as com Jacobian. Zero where no body has mass; masses that are zero at run time alone give NaN.",
@@ -53,9 +58,13 @@ pub(super) const CENTER_OF_MASS_JACOBIAN_DOT_U: Function = Function {
     name: "center_of_mass_jacobian_dot_u",
     trait_name: Some("CenterOfMassJacobianDotU"),
     arguments: &[Argument::Q, Argument::U],
-    outputs: &[Output::new("acceleration", Shape::VECTOR)],
+    outputs: &[Output::new(
+        "acceleration",
+        Shape::VECTOR,
+        Unit::Of(&["m/s^2"]),
+    )],
     doc: &[
-        "Acceleration of the mass centre of all bodies for `u_dot = 0`: inertial components, m/s^2. With `center_of_mass_jacobian`, `J`, its",
+        "Acceleration of the mass centre of all bodies for `u_dot = 0`: inertial components, {acceleration}. With `center_of_mass_jacobian`, `J`, its",
         "acceleration is `J u_dot` and this, without gravity. Also known as com drift. Zero where no body has mass; masses that are zero at run",
         "time alone give NaN.",
     ],
@@ -68,8 +77,18 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX: Function = Function {
     trait_name: Some("CentroidalMomentumMatrix"),
     arguments: &[Argument::Q],
     outputs: &[
-        Output::of_several("linear", "linear_multiplier", Shape::VECTOR_BY_SPEEDS),
-        Output::of_several("angular", "angular_multiplier", Shape::VECTOR_BY_SPEEDS),
+        Output::of_several(
+            ("linear", "linear_multiplier"),
+            Shape::VECTOR_BY_SPEEDS,
+            Unit::BySpeed(["kg m", "kg"]),
+            "columns of the linear momentum, inertial components",
+        ),
+        Output::of_several(
+            ("angular", "angular_multiplier"),
+            Shape::VECTOR_BY_SPEEDS,
+            Unit::BySpeed(["kg m^2", "kg m"]),
+            "columns of the angular momentum about the mass centre, inertial components",
+        ),
     ],
     doc: &[
         "Momentum of all bodies about their mass centre for a unit of each speed, a column for each: linear, kg m/s, and angular, kg m^2/s, are these",
@@ -86,11 +105,21 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX_DOT_U: Function = Function {
     trait_name: Some("CentroidalMomentumMatrixDotU"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[
-        Output::of_several("linear", "linear_multiplier", Shape::VECTOR),
-        Output::of_several("angular", "angular_multiplier", Shape::VECTOR),
+        Output::of_several(
+            ("linear", "linear_multiplier"),
+            Shape::VECTOR,
+            Unit::Of(&["N"]),
+            "rate of linear momentum for `u_dot = 0`, inertial components",
+        ),
+        Output::of_several(
+            ("angular", "angular_multiplier"),
+            Shape::VECTOR,
+            Unit::Of(&["N m"]),
+            "rate of angular momentum about the mass centre for `u_dot = 0`, inertial components",
+        ),
     ],
     doc: &[
-        "Rates of linear momentum, N, and of angular momentum about the mass centre, N m, of all bodies for `u_dot = 0`: inertial components.",
+        "Rates of linear momentum, {linear}, and of angular momentum about the mass centre, {angular}, of all bodies for `u_dot = 0`: inertial components.",
         "With the centroidal momentum matrix `A_G`, their rates are `A_G u_dot` and this. Also known as `A_G_dot u`, centroidal bias, hdot drift.",
     ],
     derivation: Derivation::EitherWay(roots::center::centroidal_momentum_matrix_dot_u),

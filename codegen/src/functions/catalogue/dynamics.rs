@@ -8,15 +8,16 @@ use crate::functions::{
     shape::Shape,
     terms::Terms,
     told::{KnownMatrix, ReadOff},
+    unit::{ACCELERATION, FORCE, Unit},
 };
 
 pub(super) const GENERALIZED_FORCES: Function = Function {
     name: "generalized_forces",
     trait_name: Some("GeneralizedForces"),
     arguments: &[Argument::Q, Argument::Loads],
-    outputs: &[Output::new("tau", Shape::SPEEDS)],
+    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     doc: &[
-        "Generalized forces of the loads, Eq. (36): `tau`, without gravity; N m for an angle's speed, N for a translation's.",
+        "Generalized forces of the loads, Eq. (36): `tau`, without gravity; {tau}.",
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
     ],
     derivation: Derivation::EitherWay(roots::dynamics::generalized_forces),
@@ -28,7 +29,7 @@ pub(super) const MASS_MATRIX: Function = Function {
     name: "mass_matrix",
     trait_name: Some("MassMatrix"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("m", Shape::SPEED_MATRIX)],
+    outputs: &[Output::new("m", Shape::SPEED_MATRIX, Unit::MASS_MATRIX)],
     read_off: Some(ReadOff {
         matrix: KnownMatrix::Mass,
         entries: roots::matrices::whole,
@@ -46,7 +47,11 @@ pub(super) const MASS_MATRIX_PACKED: Function = Function {
     name: "mass_matrix_packed",
     trait_name: Some("MassMatrixPacked"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("entries", Shape::MASS_MATRIX_PACKED)],
+    outputs: &[Output::new(
+        "entries",
+        Shape::MASS_MATRIX_PACKED,
+        Unit::MASS_MATRIX,
+    )],
     read_off: Some(ReadOff {
         matrix: KnownMatrix::Mass,
         entries: roots::dynamics::packed_of_mass,
@@ -64,7 +69,7 @@ pub(super) const FORCING: Function = Function {
     name: "forcing",
     trait_name: Some("Forcing"),
     arguments: &[Argument::Q, Argument::U, Argument::Loads],
-    outputs: &[Output::new("f", Shape::SPEEDS)],
+    outputs: &[Output::new("f", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     derivatives: Some(roots::jacobians::forces::forcing),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -79,7 +84,7 @@ pub(super) const BIAS: Function = Function {
     name: "bias",
     trait_name: Some("Bias"),
     arguments: &[Argument::Q, Argument::U],
-    outputs: &[Output::new("bias", Shape::SPEEDS)],
+    outputs: &[Output::new("bias", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     read_off: Some(ReadOff {
         matrix: KnownMatrix::Coriolis,
         entries: roots::coriolis::bias_of_coriolis,
@@ -100,11 +105,11 @@ pub(super) const GRAVITY_FORCES: Function = Function {
     name: "gravity_forces",
     trait_name: Some("GravityForces"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("tau", Shape::SPEEDS)],
+    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     derivatives: Some(roots::jacobians::forces::gravity_forces),
     doc: &[
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
-        "N m for an angle's speed, N for a translation's. Also known as gravity torque, generalized gravity, `g(q)`.",
+        "{tau}. Also known as gravity torque, generalized gravity, `g(q)`.",
     ],
     derivation: Derivation::EitherWay(roots::dynamics::gravity_forces),
     terms: Terms::OfVector,
@@ -115,13 +120,13 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     name: "inverse_dynamics",
     trait_name: Some("InverseDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
-    outputs: &[Output::new("tau", Shape::SPEEDS)],
+    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     is_default: true,
     derivatives: Some(roots::jacobians::forces::inverse_dynamics),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.",
-        "N m for an angle's speed, N for a translation's.",
+        "{tau}.",
     ],
     derivation: Derivation::EitherWay(roots::dynamics::inverse_dynamics),
     terms: Terms::OfVector,
@@ -132,7 +137,11 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     name: "forward_dynamics",
     trait_name: Some("ForwardDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::Tau],
-    outputs: &[Output::new("u_dot", Shape::SPEEDS)],
+    outputs: &[Output::new(
+        "u_dot",
+        Shape::SPEEDS,
+        Unit::BySpeed(ACCELERATION),
+    )],
     is_default: true,
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives: Some(roots::jacobians::accelerations::forward_dynamics),
@@ -151,7 +160,11 @@ pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
     name: "forward_dynamics_pivots",
     trait_name: Some("ForwardDynamicsPivots"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("pivots", Shape::SPEEDS)],
+    outputs: &[Output::new(
+        "pivots",
+        Shape::SPEEDS,
+        Unit::BySpeed(["kg m^2", "kg"]),
+    )],
     doc: &[
         "The pivots `D` of the mass matrix, `L^T D L` along the tree, by speed: all positive where it is positive definite.",
     ],

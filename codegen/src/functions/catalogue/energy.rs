@@ -6,15 +6,16 @@ use crate::functions::{
     function::{Function, Output, PLAIN},
     roots,
     shape::Shape,
+    unit::Unit,
 };
 
 pub(super) const KINETIC_ENERGY: Function = Function {
     name: "kinetic_energy",
     trait_name: Some("KineticEnergy"),
     arguments: &[Argument::Q, Argument::U],
-    outputs: &[Output::new("energy", Shape::SCALAR)],
+    outputs: &[Output::new("energy", Shape::SCALAR, Unit::Of(&["J"]))],
     is_default: true,
-    doc: &["Kinetic energy in the inertial frame, J."],
+    doc: &["Kinetic energy in the inertial frame, {energy}."],
     derivation: Derivation::EitherWay(roots::energy::kinetic_energy),
     ..PLAIN
 };
@@ -23,10 +24,10 @@ pub(super) const POTENTIAL_ENERGY: Function = Function {
     name: "potential_energy",
     trait_name: Some("PotentialEnergy"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("energy", Shape::SCALAR)],
+    outputs: &[Output::new("energy", Shape::SCALAR, Unit::Of(&["J"]))],
     is_default: true,
     doc: &[
-        "Potential energy, J: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.",
+        "Potential energy, {energy}: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.",
     ],
     derivation: Derivation::EitherWay(roots::energy::potential_energy),
     ..PLAIN
@@ -36,8 +37,12 @@ pub(super) const LINEAR_MOMENTUM: Function = Function {
     name: "linear_momentum",
     trait_name: Some("LinearMomentum"),
     arguments: &[Argument::Q, Argument::U],
-    outputs: &[Output::new("momentum", Shape::VECTOR)],
-    doc: &["Linear momentum of all bodies: inertial components, kg m/s."],
+    outputs: &[Output::new(
+        "momentum",
+        Shape::VECTOR,
+        Unit::Of(&["kg m/s"]),
+    )],
+    doc: &["Linear momentum of all bodies: inertial components, {momentum}."],
     derivation: Derivation::EitherWay(roots::energy::linear_momentum),
     ..PLAIN
 };
@@ -46,9 +51,13 @@ pub(super) const ANGULAR_MOMENTUM: Function = Function {
     name: "angular_momentum",
     trait_name: Some("AngularMomentum"),
     arguments: &[Argument::Q, Argument::U],
-    outputs: &[Output::new("momentum", Shape::VECTOR)],
+    outputs: &[Output::new(
+        "momentum",
+        Shape::VECTOR,
+        Unit::Of(&["kg m^2/s"]),
+    )],
     doc: &[
-        "Angular momentum of all bodies about the inertial origin: inertial components, kg m^2/s.",
+        "Angular momentum of all bodies about the inertial origin: inertial components, {momentum}.",
     ],
     derivation: Derivation::EitherWay(roots::energy::angular_momentum),
     ..PLAIN
@@ -58,9 +67,13 @@ pub(super) const KINETIC_ENERGIES: Function = Function {
     name: "kinetic_energies",
     trait_name: Some("KineticEnergies"),
     arguments: &[Argument::Q, Argument::U],
-    outputs: &[Output::new("energies", Shape::BODY_SCALARS)],
+    outputs: &[Output::new(
+        "energies",
+        Shape::BODY_SCALARS,
+        Unit::Of(&["J"]),
+    )],
     doc: &[
-        "Kinetic energy of each body in the inertial frame, with that of the rotors of its joint, J: `kinetic_energy` by bodies.",
+        "Kinetic energy of each body in the inertial frame, with that of the rotors of its joint, {energies}: `kinetic_energy` by bodies.",
     ],
     derivation: Derivation::EitherWay(roots::energy::kinetic_energies),
     ..PLAIN
@@ -70,9 +83,13 @@ pub(super) const POTENTIAL_ENERGIES: Function = Function {
     name: "potential_energies",
     trait_name: Some("PotentialEnergies"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("energies", Shape::BODY_SCALARS)],
+    outputs: &[Output::new(
+        "energies",
+        Shape::BODY_SCALARS,
+        Unit::Of(&["J"]),
+    )],
     doc: &[
-        "Potential energy of each body, with that of the springs of its joint, J: `potential_energy` by bodies. That of weight is zero for a",
+        "Potential energy of each body, with that of the springs of its joint, {energies}: `potential_energy` by bodies. That of weight is zero for a",
         "mass at the inertial origin, that of a spring at rest.",
     ],
     derivation: Derivation::EitherWay(roots::energy::potential_energies),

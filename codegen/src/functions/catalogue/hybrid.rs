@@ -8,6 +8,7 @@ use crate::functions::{
     shape::Shape,
     terms::Terms,
     told::KnownMatrix,
+    unit::{ACCELERATION, FORCE, Unit},
 };
 
 pub(super) const HYBRID_DYNAMICS: Function = Function {
@@ -15,8 +16,18 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
     trait_name: Some("HybridDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Tau],
     outputs: &[
-        Output::of_several("whole_u_dot", "whole_u_dot_multiplier", Shape::SPEEDS),
-        Output::of_several("whole_tau", "whole_tau_multiplier", Shape::SPEEDS),
+        Output::of_several(
+            ("whole_u_dot", "whole_u_dot_multiplier"),
+            Shape::SPEEDS,
+            Unit::BySpeed(ACCELERATION),
+            "rates of all speeds, those that are given copied",
+        ),
+        Output::of_several(
+            ("whole_tau", "whole_tau_multiplier"),
+            Shape::SPEEDS,
+            Unit::BySpeed(FORCE),
+            "generalized forces of all speeds, those that are given copied",
+        ),
     ],
     mass_matrix: MassMatrixUse::Accelerations,
     prescribes: true,
@@ -26,7 +37,7 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
         "Hybrid dynamics: of the speeds that `PRESCRIBED` marks, those of the joints that the option `prescribed` names, the accelerations are",
         "given and the forces found; of the others the reverse: `M u_dot + bias = tau` holds of the whole `u_dot` and `tau`, which are written.",
         "What is given is copied; entries of `u_dot` and `tau` that are found are not read. With all prescribed it is `inverse_dynamics`, with",
-        "none `forward_dynamics`. N m and rad/s^2 for an angle's speed, N and m/s^2 for a translation's. Also known as mixed dynamics, hybrid aba.",
+        "none `forward_dynamics`. Forces in {whole_tau}; accelerations in {whole_u_dot}. Also known as mixed dynamics, hybrid aba.",
         "Nothing is checked: where the mass matrix of the others is not positive definite the result is whatever IEEE arithmetic gives.",
     ],
     derivation: Derivation::EitherWay(roots::hybrid::hybrid_dynamics),

@@ -8,18 +8,19 @@ use crate::functions::{
     shape::Shape,
     terms::Terms,
     told::KnownMatrix,
+    unit::{ACCELERATION, FORCE, Unit},
 };
 
 pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
     name: "loaded_inverse_dynamics",
     trait_name: Some("LoadedInverseDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
-    outputs: &[Output::new("tau", Shape::SPEEDS)],
+    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     derivatives: Some(roots::jacobians::forces::loaded_inverse_dynamics),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Inverse dynamics under loads: the `tau` that gives the accelerations `u_dot` where the loads act as well; `inverse_dynamics` less",
-        "`generalized_forces` of the loads, N m for an angle's speed, N for a translation's. Also known as rnea with external forces, fext.",
+        "`generalized_forces` of the loads, {tau}. Also known as rnea with external forces, fext.",
         "A load is the resultant force at the mass centre and the resultant moment, body components; weight is none.",
     ],
     derivation: Derivation::EitherWay(roots::loaded::loaded_inverse_dynamics),
@@ -31,7 +32,11 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     name: "loaded_forward_dynamics",
     trait_name: Some("LoadedForwardDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::Tau, Argument::Loads],
-    outputs: &[Output::new("u_dot", Shape::SPEEDS)],
+    outputs: &[Output::new(
+        "u_dot",
+        Shape::SPEEDS,
+        Unit::BySpeed(ACCELERATION),
+    )],
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives: Some(roots::jacobians::accelerations::loaded_forward_dynamics),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
@@ -51,11 +56,21 @@ pub(super) const JOINT_WRENCHES: Function = Function {
     trait_name: Some("JointWrenches"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
     outputs: &[
-        Output::of_several("force", "force_multiplier", Shape::BODY_VECTORS),
-        Output::of_several("moment", "moment_multiplier", Shape::BODY_VECTORS),
+        Output::of_several(
+            ("force", "force_multiplier"),
+            Shape::BODY_VECTORS,
+            Unit::Of(&["N"]),
+            "force that each joint transmits to its body, body components",
+        ),
+        Output::of_several(
+            ("moment", "moment_multiplier"),
+            Shape::BODY_VECTORS,
+            Unit::Of(&["N m"]),
+            "moment that each joint transmits to its body, about where it sits in the body, body components",
+        ),
     ],
     doc: &[
-        "All that each joint transmits to its body from the lower body, by which bearings and structures are sized: force, N, and moment, N m,",
+        "All that each joint transmits to its body from the lower body, by which bearings and structures are sized: force, {force}, and moment, {moment},",
         "body components, about the point of the body where its joint sits: its origin, or its `body_attachment` where it has one.",
         "Weight and the loads on all bodies outward of the joint are in it, and so are motors, springs and dampers, which act through the joint:",
         "along the joint's motions it is their `tau` less what springs, dampers and rotors need; where others follow, the sum over all of them,",

@@ -8,18 +8,19 @@ use crate::functions::{
     shape::Shape,
     terms::Terms,
     told::{Beside, KnownMatrix, ReadOff},
+    unit::{ACCELERATION, FORCE, Unit},
 };
 
 pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
     name: "mass_matrix_product",
     trait_name: Some("MassMatrixProduct"),
     arguments: &[Argument::Q, Argument::UDot],
-    outputs: &[Output::new("tau", Shape::SPEEDS)],
+    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     derivatives: Some(roots::jacobians::forces::mass_matrix_product),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "The mass matrix of Eq. (42) times accelerations, `tau = M u_dot`, rotors included: inverse dynamics without bias. No matrix is formed.",
-        "N m for an angle's speed, N for a translation's. Also known as mass-matrix-vector product; with speeds in place of `u_dot`, generalized momentum.",
+        "{tau}. Also known as mass-matrix-vector product; with speeds in place of `u_dot`, generalized momentum.",
     ],
     derivation: Derivation::EitherWay(roots::matrices::product),
     terms: Terms::OfVector,
@@ -30,7 +31,11 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     name: "mass_matrix_solve",
     trait_name: Some("MassMatrixSolve"),
     arguments: &[Argument::Q, Argument::Tau],
-    outputs: &[Output::new("u_dot", Shape::SPEEDS)],
+    outputs: &[Output::new(
+        "u_dot",
+        Shape::SPEEDS,
+        Unit::BySpeed(ACCELERATION),
+    )],
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives: Some(roots::jacobians::accelerations::mass_matrix_solve),
     derivatives_tell: &[KnownMatrix::MassInverse],
@@ -49,7 +54,11 @@ pub(super) const MASS_MATRIX_INVERSE: Function = Function {
     name: "mass_matrix_inverse",
     trait_name: Some("MassMatrixInverse"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("inverse", Shape::SPEED_MATRIX)],
+    outputs: &[Output::new(
+        "inverse",
+        Shape::SPEED_MATRIX,
+        Unit::Of(&["1/(kg m^2)", "1/(kg m)", "1/kg"]),
+    )],
     read_off: Some(ReadOff {
         matrix: KnownMatrix::MassInverse,
         entries: roots::matrices::whole,
@@ -69,7 +78,11 @@ pub(super) const MASS_MATRIX_INVERSE_PACKED: Function = Function {
     name: "mass_matrix_inverse_packed",
     trait_name: Some("MassMatrixInversePacked"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("entries", Shape::INVERSE_PACKED)],
+    outputs: &[Output::new(
+        "entries",
+        Shape::INVERSE_PACKED,
+        Unit::Of(&["1/(kg m^2)", "1/(kg m)", "1/kg"]),
+    )],
     read_off: Some(ReadOff {
         matrix: KnownMatrix::MassInverse,
         entries: roots::matrices::packed_of_inverse,
@@ -88,7 +101,11 @@ pub(super) const MASS_MATRIX_FACTORS: Function = Function {
     name: "mass_matrix_factors",
     trait_name: Some("MassMatrixFactors"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("entries", Shape::FACTORS)],
+    outputs: &[Output::new(
+        "entries",
+        Shape::FACTORS,
+        Unit::Of(&["kg m^2", "kg", "1", "m", "1/m"]),
+    )],
     doc: &[
         "The factors `L` and `D` of the mass matrix of Eq. (42), `M = L^T D L` along the tree, without fill but where joints follow others on several branches:",
         "D on the diagonal, beside it L, whose diagonal is one.",
@@ -105,7 +122,11 @@ pub(super) const CORIOLIS_MATRIX: Function = Function {
     name: "coriolis_matrix",
     trait_name: Some("CoriolisMatrix"),
     arguments: &[Argument::Q, Argument::U],
-    outputs: &[Output::new("c", Shape::SPEED_MATRIX)],
+    outputs: &[Output::new(
+        "c",
+        Shape::SPEED_MATRIX,
+        Unit::Of(&["kg m^2/s", "kg m/s", "kg/s"]),
+    )],
     beside: Some(Beside {
         matrices: &[
             KnownMatrix::Mass,
@@ -128,7 +149,11 @@ pub(super) const MASS_MATRIX_DOT: Function = Function {
     name: "mass_matrix_dot",
     trait_name: Some("MassMatrixDot"),
     arguments: &[Argument::Q, Argument::U],
-    outputs: &[Output::new("m_dot", Shape::SPEED_MATRIX)],
+    outputs: &[Output::new(
+        "m_dot",
+        Shape::SPEED_MATRIX,
+        Unit::Of(&["kg m^2/s", "kg m/s", "kg/s"]),
+    )],
     read_off: Some(ReadOff {
         matrix: KnownMatrix::MassDot,
         entries: roots::matrices::whole,

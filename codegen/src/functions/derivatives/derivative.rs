@@ -8,7 +8,7 @@ use crate::{
     expr::{Expr, ExprGraph},
     functions::{
         argument::Argument, derived::Derived, function::Output, multiplier::Multiplier,
-        shape::Shape, variable::Variable,
+        shape::Shape, unit::Unit, variable::Variable,
     },
     recursive::{Plan, Technique},
     tree::Tree,
@@ -129,21 +129,46 @@ impl Derivative {
                     by: variable.dimensions(),
                     ..output.shape
                 };
-                Output::named(format!("d{}_d{}", output.name, variable.name()), shape)
+                let (of, by) = (&output.name, variable.name());
+                let meaning = format!("the derivatives of `{of}` by {}", variable.meaning());
+                let unit = Unit::quotients([(&output.unit, &variable.unit())]);
+                Output::derived(format!("d{of}_d{by}"), shape, unit, meaning)
             };
             self.by.iter().map(by).collect::<Vec<_>>()
         };
-        let along = |output: &Output| Output::named(format!("d{}", output.name), output.shape);
+        let along = |output: &Output| {
+            let of = &output.name;
+            let meaning = format!("the change of `{of}`");
+            Output::derived(format!("d{of}"), output.shape, output.unit.clone(), meaning)
+        };
         let gradient = |variable: &Variable| {
             let name = format!("{}_gradient", variable.name());
-            Output::named(name, Shape::of(variable.dimensions()))
+            let shape = Shape::of(variable.dimensions());
+            let meaning = format!("the gradient by {}", variable.meaning());
+            Output::derived(name, shape, Unit::UNKNOWN, meaning)
+        };
+        let packed = |name: &str, unit: Unit, meaning: &str| {
+            vec![Output::derived(
+                name.to_owned(),
+                Shape::ENTRIES,
+                unit,
+                meaning.to_owned(),
+            )]
         };
         match self.kind {
             DerivativeKind::Jacobian => of.iter().flat_map(by_all).collect(),
             DerivativeKind::Jvp => of.iter().map(along).collect(),
             DerivativeKind::Vjp => self.by.iter().map(gradient).collect(),
-            DerivativeKind::PackedJacobian => vec![Output::new("derivatives", Shape::ENTRIES)],
-            DerivativeKind::Hessian => vec![Output::new("hessian", Shape::ENTRIES)],
+            DerivativeKind::PackedJacobian => {
+                let by: Vec<Unit> = self.by.iter().map(Variable::unit).collect();
+                let pairs = of.iter().flat_map(|of| by.iter().map(|by| (&of.unit, by)));
+                let meaning = "the derivatives that the tree does not make zero";
+                packed("derivatives", Unit::quotients(pairs), meaning)
+            }
+            DerivativeKind::Hessian => {
+                let meaning = "the second derivatives that the tree does not make zero";
+                packed("hessian", Unit::UNKNOWN, meaning)
+            }
         }
     }
 

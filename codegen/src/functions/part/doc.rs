@@ -1,7 +1,10 @@
 //! What the documentation of a generated function says of a part.
 
 use super::Part;
-use crate::functions::subject::View;
+use crate::functions::{
+    function::Output,
+    subject::{Subject, View},
+};
 
 impl Part {
     /// Lines of documentation.
@@ -22,9 +25,32 @@ impl Part {
 
     fn doc_of_values(&self) -> Vec<String> {
         let lines = self.function.doc.iter();
-        let Some(subject) = &self.subject else {
-            return lines.map(ToString::to_string).collect();
-        };
+        lines.map(|line| self.said(line)).collect()
+    }
+
+    /// What one of its outputs means, in words.
+    pub(in crate::functions) fn meaning(&self, output: &Output) -> String {
+        match (&self.derivative, output.meaning.as_ref()) {
+            // Words of the user may hold anything: they are put in last.
+            (None, "") => self.said(&first_sentence(self.function.doc)),
+            (None, own) => self.said(own),
+            (Some(_), own) => own.to_owned(),
+        }
+    }
+
+    /// A text of the catalogue, with words in place of those in braces.
+    fn said(&self, text: &str) -> String {
+        let outputs = self.function.outputs.iter();
+        let units = outputs.map(|output| (format!("{{{}}}", output.name), output.unit.text()));
+        let text = units.fold(text.to_owned(), |text, (word, unit)| {
+            text.replace(&word, &unit)
+        });
+        let words = self.subject.iter().flat_map(|subject| self.words(subject));
+        words.fold(text, |text, (word, own)| text.replace(word, &own))
+    }
+
+    /// What the frames are, and how they are seen.
+    fn words(&self, subject: &Subject) -> [(&'static str, String); 7] {
         let names = subject.frames.iter();
         let names: Vec<String> = names
             .map(|frame| format!("`{}`", frame.name.escape_debug()))
@@ -39,7 +65,7 @@ impl Part {
             View::Other => format!("components along the axes of {from}"),
         };
         let is_other = subject.view == View::Other;
-        let words = [
+        [
             ("{frame}", frames),
             (
                 "{seen}",
@@ -76,13 +102,15 @@ impl Part {
             ),
             ("{axes}", axes),
             ("{speeds}", format!("`{}`", self.speeds_constant())),
-        ];
-        let line = |line: &&str| {
-            let line = (*line).to_owned();
-            words
-                .iter()
-                .fold(line, |line, (word, text)| line.replace(word, text))
-        };
-        lines.map(line).collect()
+        ]
     }
+}
+
+/// The first sentence of lines of documentation, without its full stop. `Eq. (4)` ends none.
+fn first_sentence(lines: &[&str]) -> String {
+    let text = lines.join(" ");
+    let ends = text.match_indices(". ").map(|(place, _)| place);
+    let mut ends = ends.filter(|place| !text[place + 2..].starts_with('('));
+    let end = ends.next().unwrap_or(text.len());
+    text[..end].trim_end_matches('.').to_owned()
 }

@@ -1,21 +1,52 @@
-//! Where coordinates and speeds of joints stand, and frames that are fixed in bodies.
+//! Joints: what they leave free and about which axes, and where their coordinates and speeds stand.
 
+use super::frame::{Moved, moved};
 use crate::{
-    id::BodyId,
-    tree::{self, CoordinateKind, Orientation},
+    geometry::{Rotation, transposed},
+    id::{BodyId, CoordinateId},
+    tree::{self, Coordinate, CoordinateKind, Orientation, Pose, Tree},
 };
 
 /// A body's joint.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// Its name, as the user wrote it.
     pub name: String,
+    /// The name of its kind, where it has one.
+    pub kind: Option<&'static str>,
     /// How its orientation is told.
     pub chart: JointChart,
     /// The places in `q` of theta1, theta2, theta3 or e0, e1, e2, e3, then s1, s2, s3; none for what is locked.
     pub q: [Option<usize>; 7],
     /// The places in `u` of the speeds of the three rotations and the three translations.
     pub u: [Option<usize>; 6],
+    /// From the lower body's axes to the joint's, which the coordinates are about and along: these are its rows.
+    pub axes: Rotation,
+    /// From the body's axes to the same, as the joint moves them.
+    pub body_axes: Rotation,
+    /// From the lower body's origin to where the joint sits, the lower body's axes, m; at the nominal values.
+    pub position: [f64; 3],
+    /// What moves that at run time.
+    pub moved: Vec<Moved>,
+    /// What follows another joint.
+    pub mimic: Option<Mimic>,
+    /// The coordinates that are held, but not at zero: what they are, and the value, rad or m.
+    pub locked: Vec<(&'static str, f64)>,
+}
+
+/// A coordinate that follows another: a joint that has one has no other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mimic {
+    /// What it is within its joint.
+    pub coordinate: &'static str,
+    /// The name of the joint that it follows: the last one, where that follows another itself.
+    pub joint: String,
+    /// The place of that joint's coordinate in `q`.
+    pub leader: usize,
+    /// Times that one.
+    pub multiplier: f64,
+    /// Plus, rad or m.
+    pub offset: f64,
 }
 
 /// How an orientation is told.
@@ -27,19 +58,6 @@ pub enum JointChart {
     Angles,
     /// A unit quaternion, with components of the angular velocity for speeds.
     EulerParameters,
-}
-
-/// A frame of the model that is part of a body.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Frame {
-    /// Its name, as the user wrote it.
-    pub name: String,
-    /// The body, by its place; `None` is the inertial frame.
-    pub body: Option<usize>,
-    /// From the body's axes to the frame's.
-    pub rotation: [[f64; 3]; 3],
-    /// From the body's origin to the frame's, the body's axes, m.
-    pub position: [f64; 3],
 }
 
 impl JointChart {
@@ -70,46 +88,98 @@ impl JointChart {
 }
 
 impl Joint {
-    pub(super) fn of(joint: &tree::Joint) -> Self {
-        let chart = match joint.orientation {
-            Orientation::Rates(_) => JointChart::AngleRates,
-            Orientation::AngularVelocity {
-                chart: tree::ChartCoordinates::Angles(_),
-                ..
-            } => JointChart::Angles,
-            Orientation::AngularVelocity {
-                chart: tree::ChartCoordinates::EulerParameters(_),
-                ..
-            } => JointChart::EulerParameters,
+    pub(super) fn of(tree: &Tree, body: BodyId) -> Self {
+        let tree::Body { joint, pose, .. } = tree.body(body);
+        let lower = tree.user_pose(tree.lower(body));
+        let seat = Pose {
+            rotation: joint.rotation,
+            origin: joint.attachment.clone(),
         };
-        let mut q = [None; 7];
-        for (kind, coordinate) in joint.coordinates() {
-            let place = match kind {
-                CoordinateKind::Angle(i) | CoordinateKind::EulerParameter(i) => i,
-                CoordinateKind::Translation(i) => 4 + i,
-            };
-            q[place] = Some(coordinate.index());
-        }
-        let mut u = [None; 6];
-        for (motion, speed) in joint.speeds() {
-            u[motion] = Some(speed.index());
-        }
+        let (chart, q, u) = places(joint);
         Self {
             name: joint.name.clone(),
+            kind: joint.kind(),
             chart,
             q,
             u,
+            axes: seat.rotation_from(&lower, tree.snap),
+            body_axes: transposed(&pose.rotation),
+            position: seat.position_from(&lower, &tree.parameters),
+            moved: moved(tree, &seat, &lower),
+            mimic: Mimic::of(tree, joint),
+            locked: locked(joint),
         }
     }
 }
 
-impl Frame {
-    pub(super) fn of(frame: &tree::Frame) -> Self {
-        Self {
-            name: frame.name.clone(),
-            body: frame.body.map(BodyId::index),
-            rotation: frame.rotation,
-            position: frame.position,
-        }
+impl Mimic {
+    fn of(tree: &Tree, joint: &tree::Joint) -> Option<Self> {
+        let mut coordinates = coordinates(joint);
+        coordinates.find_map(|(name, coordinate)| match coordinate {
+            Coordinate::Mimic {
+                coordinate,
+                multiplier,
+                offset,
+                ..
+            } => Some(Self {
+                coordinate: name,
+                joint: owner(tree, coordinate)?.name.clone(),
+                leader: coordinate.index(),
+                multiplier,
+                offset,
+            }),
+            Coordinate::Free { .. } | Coordinate::Locked(_) => None,
+        })
     }
+}
+
+/// The joint whose coordinate this is.
+fn owner(tree: &Tree, coordinate: CoordinateId) -> Option<&tree::Joint> {
+    let mut joints = tree.bodies.iter().map(|body| &body.joint);
+    joints.find(|joint| {
+        let own = joint.coordinates();
+        own.iter().any(|(_, place)| *place == coordinate)
+    })
+}
+
+/// The coordinates whose rates are motions, with what they are.
+fn coordinates(joint: &tree::Joint) -> impl Iterator<Item = (&'static str, Coordinate)> + '_ {
+    let names = joint.motion_names().into_iter().enumerate();
+    names.filter_map(|(motion, name)| Some((name, joint.coordinate_of(motion)?)))
+}
+
+fn locked(joint: &tree::Joint) -> Vec<(&'static str, f64)> {
+    let held = coordinates(joint).filter_map(|(name, coordinate)| match coordinate {
+        Coordinate::Locked(value) if value != 0.0 => Some((name, value)),
+        _ => None,
+    });
+    held.collect()
+}
+
+/// How the orientation is told, and the places of [`Joint::q`] and [`Joint::u`].
+fn places(joint: &tree::Joint) -> (JointChart, [Option<usize>; 7], [Option<usize>; 6]) {
+    let chart = match joint.orientation {
+        Orientation::Rates(_) => JointChart::AngleRates,
+        Orientation::AngularVelocity {
+            chart: tree::ChartCoordinates::Angles(_),
+            ..
+        } => JointChart::Angles,
+        Orientation::AngularVelocity {
+            chart: tree::ChartCoordinates::EulerParameters(_),
+            ..
+        } => JointChart::EulerParameters,
+    };
+    let mut q = [None; 7];
+    for (kind, coordinate) in joint.coordinates() {
+        let place = match kind {
+            CoordinateKind::Angle(i) | CoordinateKind::EulerParameter(i) => i,
+            CoordinateKind::Translation(i) => 4 + i,
+        };
+        q[place] = Some(coordinate.index());
+    }
+    let mut u = [None; 6];
+    for (motion, speed) in joint.speeds() {
+        u[motion] = Some(speed.index());
+    }
+    (chart, q, u)
 }

@@ -8,12 +8,13 @@ use crate::{
     id::{BodyId, SpeedId},
     origin::Origin,
     solve,
-    tree::{Parameter, Tree},
+    tree::{self, Parameter, Tree},
 };
 
 mod base_parameters;
 mod entries;
 mod extent;
+mod frame;
 mod frame_speeds;
 mod joint;
 mod limits;
@@ -25,8 +26,9 @@ mod units;
 pub use base_parameters::{BaseParameters, BaseTerm};
 pub use entries::{Colors, Entries};
 pub use extent::Extent;
+pub use frame::{Frame, Moved, Turned};
 pub use frame_speeds::FrameSpeeds;
-pub use joint::{Frame, Joint, JointChart};
+pub use joint::{Joint, JointChart, Mimic};
 pub use limits::Limits;
 pub use pattern::Pattern;
 pub(crate) use size::N_ANGLES;
@@ -55,8 +57,10 @@ pub struct Facts {
     pub joints: Vec<Joint>,
     /// The units of coordinates, speeds and forces.
     pub units: Units,
-    /// Frames that are fixed in bodies.
+    /// Frames of bodies that are fixed to others.
     pub frames: Vec<Frame>,
+    /// Frames that only mark places.
+    pub markers: Vec<Frame>,
     /// Limits and friction.
     pub limits: Limits,
     /// What is set at run time, with nominal values.
@@ -130,8 +134,8 @@ impl Facts {
         ];
         let mut fields = compiled.fields.clone();
         fields.sort();
-        let joints = tree.bodies.iter();
-        let joints: Vec<Joint> = joints.map(|body| Joint::of(&body.joint)).collect();
+        let joints: Vec<Joint> = tree.body_ids().map(|id| Joint::of(tree, id)).collect();
+        let frames = |own: &[tree::Frame]| own.iter().map(|one| Frame::of(tree, one)).collect();
         Self {
             origin,
             name: tree.name.clone(),
@@ -142,7 +146,8 @@ impl Facts {
             speed_bodies: tree.speed_bodies().into_iter().map(BodyId::index).collect(),
             units: Units::of(&joints, tree.n_coordinates, tree.n_speeds),
             joints,
-            frames: tree.frames.iter().map(Frame::of).collect(),
+            frames: frames(&tree.frames),
+            markers: frames(&tree.markers),
             limits: Limits::of(tree),
             parameters: tree.parameters.clone(),
             fields,

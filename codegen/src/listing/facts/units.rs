@@ -1,6 +1,7 @@
 //! Units of coordinates, speeds and forces.
 
 use super::joint::Joint;
+use crate::functions::{FORCE, SPEED};
 
 /// Units, each list as long as what it is of.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,13 +31,9 @@ impl Units {
             }
             for (motion, speed) in joint.u.into_iter().enumerate() {
                 let Some(speed) = speed else { continue };
-                let is_rotation = motion < 3;
-                let [of_speed, of_force] = if is_rotation {
-                    ["rad/s", "N m"]
-                } else {
-                    ["m/s", "N"]
-                };
-                (units.speeds[speed], units.forces[speed]) = (of_speed, of_force);
+                // Three rotations, then three translations.
+                let kind = motion / 3;
+                (units.speeds[speed], units.forces[speed]) = (SPEED[kind], FORCE[kind]);
             }
         }
         units

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{
     data,
-    rules::{RULES, SCALARS, c_name, symbol},
+    rules::{RULES, SCALARS, scalar_type, symbol},
     text::{once, table},
 };
 use crate::{
@@ -269,7 +269,7 @@ impl Header<'_> {
 
     fn declared(&self, argument: &Declared, scalar: &str) -> String {
         let element = match argument.element {
-            Element::Scalar => c_name(scalar).to_owned(),
+            Element::Scalar => scalar_type(scalar).to_owned(),
             Element::Load => format!("kane_load_{scalar}"),
             Element::Parameters => format!("{}_parameters_{scalar}", self.name),
             Element::Prepared => format!("{}_prepared_{scalar}", self.name),
@@ -333,7 +333,7 @@ fn loads() -> String {
 
 /// A structure of scalars, each with its documentation. One without fields gets one, for C knows none such.
 fn structure(name: &str, doc: &str, fields: &[(String, String)], scalar: &str) -> String {
-    let scalar = c_name(scalar);
+    let scalar = scalar_type(scalar);
     let field = |(doc, field): &(String, String)| format!("    /// {doc}\n    {scalar} {field};\n");
     let fields = match fields {
         [] => format!("    /// Nothing: C has no empty structures.\n    {scalar} unused;\n"),

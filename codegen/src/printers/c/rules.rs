@@ -4,7 +4,7 @@
 pub(crate) const SCALARS: [&str; 2] = ["f64", "f32"];
 
 /// The scalar in C.
-pub(crate) fn c_name(scalar: &str) -> &'static str {
+pub(crate) fn scalar_type(scalar: &str) -> &'static str {
     if scalar == "f64" { "double" } else { "float" }
 }
 

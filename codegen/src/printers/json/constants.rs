@@ -1,18 +1,25 @@
 //! The module's constants, as members of a manifest.
 
-use super::syntax::{list, number, object, optional, records, string, strings};
+use super::syntax::{list, number, object, string, strings};
 use crate::{
-    functions::CompactBlock,
+    functions::{CompactBlock, PARAMETER_NAMES},
     listing::{
-        BaseTerm, Constant, Data, Facts, Frame, Joint,
-        constants::{BODY_NAMES, COORDINATE_NAMES, SPEED_NAMES},
+        BaseTerm, Constant, Data, Facts,
+        constants::{BODY_NAMES, COORDINATE_NAMES, FRAMES, JOINTS, SPEED_NAMES},
     },
 };
 
 /// What has a key of its own.
-const ELSEWHERE: [&str; 3] = [BODY_NAMES, COORDINATE_NAMES, SPEED_NAMES];
+const ELSEWHERE: [&str; 6] = [
+    BODY_NAMES,
+    COORDINATE_NAMES,
+    SPEED_NAMES,
+    JOINTS,
+    FRAMES,
+    PARAMETER_NAMES,
+];
 
-/// An object with a constant a line; joints and frames, which have names, a line each.
+/// An object with a constant a line.
 pub(super) fn member(facts: &Facts) -> String {
     let patterns = facts.patterns.iter();
     let patterns = patterns.flat_map(|pattern| facts.pattern_constants(pattern));
@@ -36,34 +43,17 @@ fn line(constant: &Constant<'_>) -> Option<String> {
         Data::Integers(_, numbers) => list(numbers),
         Data::Numbers(_, numbers) => list(numbers.iter().copied().map(number)),
         Data::Places(_, places) => list(places.iter().map(list)),
-        Data::Joints(_, joints) => records("    ", joints.iter().map(joint)),
-        Data::Frames(frames) => records("    ", frames.iter().map(frame)),
         Data::Terms(terms) => list(terms.iter().map(term)),
         Data::Blocks(blocks) => list(blocks.iter().map(block)),
-        Data::Size(_) | Data::Hash(_) | Data::Text(_) | Data::Truths(..) | Data::Costs(_) => {
-            return None;
-        }
+        Data::Size(_)
+        | Data::Hash(_)
+        | Data::Text(_)
+        | Data::Truths(..)
+        | Data::Costs(_)
+        | Data::Joints(..)
+        | Data::Frames(_) => return None,
     };
     Some(format!("    {}: {value}", string(constant.name)))
-}
-
-fn joint(joint: &Joint) -> String {
-    object(&[
-        ("name", string(&joint.name)),
-        ("chart", string(joint.chart.name())),
-        ("q", list(joint.q.map(optional))),
-        ("u", list(joint.u.map(optional))),
-    ])
-}
-
-fn frame(frame: &Frame) -> String {
-    let vector = |row: &[f64; 3]| list(row.map(number));
-    object(&[
-        ("name", string(&frame.name)),
-        ("body", optional(frame.body)),
-        ("rotation", list(frame.rotation.iter().map(vector))),
-        ("position", vector(&frame.position)),
-    ])
 }
 
 fn term(term: &BaseTerm) -> String {

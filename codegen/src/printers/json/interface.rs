@@ -3,20 +3,21 @@
 use super::syntax::{object, string};
 use crate::{
     listing::Module,
-    printers::c::rules::{SCALARS, c_name, symbol},
+    options::companion::HEADER,
+    printers::c::rules::{SCALARS, scalar_type, symbol},
 };
 
-/// An object with the header, C's names of the scalars, and the functions that write what others are given, a line each.
-pub(super) fn member(module: &Module, name: &str) -> String {
-    let scalars = SCALARS.map(|scalar| (scalar, string(c_name(scalar))));
+/// With `prefix`, the module's name, all names in C begin, and those of files. An object with the header, C's names of the scalars, and the functions that write what others are given, a line each.
+pub(super) fn member(module: &Module, prefix: &str) -> String {
+    let scalars = SCALARS.map(|scalar| (scalar, string(scalar_type(scalar))));
     let mut members = vec![
-        ("header", string(&format!("{name}.h"))),
+        ("header", string(&format!("{prefix}{HEADER}"))),
         ("scalars", object(&scalars)),
     ];
     let others = [&module.nominal, &module.prepare].into_iter();
     members.extend(others.chain(&module.sin_cos).map(|function| {
         let own = function.signature.name.as_str();
-        (own, symbols(name, own))
+        (own, symbols(prefix, own))
     }));
     let lines = members.into_iter();
     let lines: Vec<String> = lines
@@ -26,6 +27,6 @@ pub(super) fn member(module: &Module, name: &str) -> String {
 }
 
 /// The names of a function for each scalar.
-pub(super) fn symbols(module: &str, function: &str) -> String {
-    object(&SCALARS.map(|scalar| (scalar, string(&symbol(module, function, scalar)))))
+pub(super) fn symbols(prefix: &str, function: &str) -> String {
+    object(&SCALARS.map(|scalar| (scalar, string(&symbol(prefix, function, scalar)))))
 }

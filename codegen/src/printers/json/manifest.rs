@@ -3,8 +3,8 @@
 //! What is known only of a compiled function, its stack and its size, is not here.
 
 use super::{
-    constants, interface,
-    syntax::{list, number, object, records, string, strings},
+    constants, geometry, interface,
+    syntax::{list, number, object, one_or_several, records, string, strings},
 };
 use crate::{
     functions::{Declared, N_BODIES, N_COORDINATES, N_SPEEDS},
@@ -14,23 +14,27 @@ use crate::{
     tree::Parameter,
 };
 
-/// The manifest of a module; `c_name` is what its names begin with in C, if its functions can be called from there.
+/// The manifest of a module; `prefix` is what its names begin with in C, if its functions can be called from there.
 ///
-/// A key a line, and a parameter, constant and function a line.
-pub(crate) fn text(module: &Module, c_name: Option<&str>) -> String {
+/// A key a line, and a joint, frame, parameter, constant and function a line.
+pub(crate) fn text(module: &Module, prefix: Option<&str>) -> String {
     let facts = &module.facts;
     let mut members = identity(facts);
     members.extend(system(facts));
     let parameters = facts.parameters.iter().map(parameter);
+    let joints = facts.joints.iter().map(geometry::joint);
+    let frames = facts.frames.iter().chain(&facts.markers);
     members.extend([
+        ("joints", records("  ", joints)),
+        ("frames", records("  ", frames.map(geometry::frame))),
         ("parameters", records("  ", parameters)),
         ("prepared", facts.fields.len().to_string()),
         ("preparation", operations(module.prepare.operations)),
         ("constants", constants::member(facts)),
     ]);
-    members.extend(c_name.map(|name| ("c", interface::member(module, name))));
+    members.extend(prefix.map(|prefix| ("c", interface::member(module, prefix))));
     let functions = module.functions.iter();
-    let functions = functions.map(|one| function(facts, one, c_name));
+    let functions = functions.map(|one| function(facts, one, prefix));
     members.push(("functions", records("  ", functions)));
     let members = members.into_iter();
     let members: Vec<String> = members
@@ -86,21 +90,23 @@ fn parameter(parameter: &Parameter) -> String {
     ])
 }
 
-fn function(facts: &Facts, function: &Function, c_name: Option<&str>) -> String {
+fn function(facts: &Facts, function: &Function, prefix: Option<&str>) -> String {
     let argument = |argument: &Declared| {
         let mut members = vec![("name", string(&argument.name))];
         let shape = facts.extent(argument).shape();
-        members.extend(shape.map(|lengths| ("shape", list(lengths))));
+        if let Some(lengths) = shape {
+            members.push(("shape", list(lengths)));
+            members.push(("unit", one_or_several(&argument.unit.all())));
+        }
+        members.push(("meaning", string(&argument.meaning)));
         object(&members)
     };
     let mut members = vec![("name", string(&function.signature.name))];
     let request = function.request.as_deref();
     members.extend(request.map(|request| ("request", string(request))));
-    members.extend(c_name.map(|name| {
-        (
-            "symbols",
-            interface::symbols(name, &function.signature.name),
-        )
+    members.extend(prefix.map(|prefix| {
+        let own = &function.signature.name;
+        ("symbols", interface::symbols(prefix, own))
     }));
     members.extend([
         ("arguments", list(function.inputs().map(argument))),

@@ -1,6 +1,7 @@
 //! JSON: the facts of a module, and how its functions are called, for programs that read no other language.
 
 mod constants;
+mod geometry;
 mod interface;
 mod manifest;
 mod syntax;

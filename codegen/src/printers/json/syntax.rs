@@ -45,12 +45,21 @@ pub(super) fn object(members: &[(&str, String)]) -> String {
     format!("{{ {} }}", members.join(", "))
 }
 
-/// A number, with all digits that it needs to be read back; JSON has no infinite ones.
+/// A number, with all digits that it needs to be read back; JSON has no infinite ones, and zero no sign.
 pub(super) fn number(number: f64) -> String {
     if number.is_infinite() {
         return NULL.to_owned();
     }
-    format!("{number:?}")
+    format!("{:?}", number + 0.0)
+}
+
+/// One string, or a list of several; null for none.
+pub(super) fn one_or_several(texts: &[&str]) -> String {
+    match texts {
+        [] => NULL.to_owned(),
+        [one] => string(one),
+        several => strings(several),
+    }
 }
 
 /// A place, if there is one.

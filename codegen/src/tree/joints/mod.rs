@@ -12,6 +12,6 @@ mod rules;
 
 pub(crate) use change::{change, hold};
 pub(crate) use mimic::follow;
-pub(crate) use resolve::joints;
+pub(crate) use resolve::{joints, kind_of};
 pub(crate) use resolved::{Freedom, ResolvedJoint};
 pub(crate) use rules::{check, check_motions};

@@ -60,8 +60,18 @@ fn resolved(
 
 /// The free motions of a kind of joint, given the place of its axis, and where they are written.
 fn free(kind: &JointKind, place: usize, span: Span) -> Vec<(usize, Span)> {
+    if let JointKind::List(axes) = kind {
+        let places = axes.iter().map(|axis| (axis.value.index(), axis.span));
+        return places.collect();
+    }
+    let motions = motions(kind, place).into_iter();
+    motions.map(|motion| (motion, span)).collect()
+}
+
+/// The motions that a kind of joint leaves free, given the place of its axis.
+fn motions(kind: &JointKind, place: usize) -> Vec<usize> {
     let others = ((place + 1) % 3, (place + 2) % 3);
-    let motions = match kind {
+    match kind {
         JointKind::Fixed => vec![],
         JointKind::Revolute | JointKind::Continuous => vec![place],
         JointKind::Prismatic => vec![3 + place],
@@ -70,10 +80,20 @@ fn free(kind: &JointKind, place: usize, span: Span) -> Vec<(usize, Span)> {
         JointKind::Universal => vec![0, 1],
         JointKind::Spherical => vec![0, 1, 2],
         JointKind::Free => vec![0, 1, 2, 3, 4, 5],
-        JointKind::List(axes) => {
-            let places = axes.iter().map(|axis| (axis.value.index(), axis.span));
-            return places.collect();
-        }
+        JointKind::List(axes) => axes.iter().map(|axis| axis.value.index()).collect(),
+    }
+}
+
+/// The name of the kind of joint that leaves these motions free, about whichever axis; of two kinds the one that says more.
+pub(crate) fn kind_of(moving: [bool; 6], has_limits: bool) -> Option<&'static str> {
+    let leaves = |kind: &JointKind| {
+        (0..3).any(|place| {
+            let motions = motions(kind, place);
+            (0..6).all(|motion| motions.contains(&motion) == moving[motion])
+        })
     };
-    motions.into_iter().map(|motion| (motion, span)).collect()
+    let may_be = |kind: &JointKind| *kind != JointKind::Continuous || !has_limits;
+    let mut named = JointKind::NAMED.iter();
+    let last = named.rfind(|(_, kind)| may_be(kind) && leaves(kind));
+    last.map(|(name, _)| *name)
 }

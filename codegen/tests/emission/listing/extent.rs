@@ -1,6 +1,6 @@
 //! Which numbers an argument holds, and in what order.
 
-use kane_codegen::functions::{Access, Declared, Element, Length};
+use kane_codegen::functions::{Access, Declared, Element, Length, Unit};
 use kane_codegen::listing::{Extent, Member, Size, Sizes, Step};
 
 const ELEMENTS: [Element; 5] = [
@@ -18,7 +18,8 @@ fn extent(element: Element, lengths: &[usize]) -> Extent {
         element,
         lengths: lengths.iter().copied().map(Length::Number).collect(),
         access: Access::Read,
-        meaning: "",
+        meaning: "".into(),
+        unit: Unit::UNKNOWN,
     };
     let angles = Size {
         name: "NA".to_owned(),

@@ -6,6 +6,9 @@ use serde_json::{Value, json};
 
 use super::project::Project;
 
+mod geometry;
+mod units;
+
 /// A floating base with an arm that slides within limits and has a tool fixed to it; two values are set at run time.
 const ROBOT: &str = r#"
 name = "robot"
@@ -85,22 +88,12 @@ fn coordinates_and_speeds_have_units_and_parameters_nominal_values() {
 }
 
 #[test]
-fn tree_joints_frames_and_limits_are_those_of_the_module() {
+fn tree_and_limits_are_those_of_the_module() {
     let manifest = manifest(&robot(r#"["bias"]"#, ""));
     let constants = &manifest["constants"];
     let expected = json!({
         "LOWER_BODIES": [0, 1],
         "SPEED_BODIES": [0, 0, 0, 0, 0, 0, 1, 1],
-        "JOINTS": [
-            { "name": "base", "chart": "EulerParameters", "q": [0, 1, 2, 3, 4, 5, 6], "u": [0, 1, 2, 3, 4, 5] },
-            { "name": "arm", "chart": "AngleRates", "q": [null, 7, null, null, 8, null, null], "u": [null, 6, null, 7, null, null] },
-        ],
-        "FRAMES": [{
-            "name": "tool",
-            "body": 1,
-            "rotation": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-            "position": [0.0, 0.0, -0.75],
-        }],
         "LOWER_LIMITS": [null, null, null, null, null, null, null, -1.5, null],
         "UPPER_LIMITS": [null, null, null, null, null, null, null, 2.0, 0.125],
         "VELOCITY_LIMITS": [null, null, null, null, null, null, 3.0, null],
@@ -128,6 +121,9 @@ fn every_constant_of_the_module_is_in_it_or_is_a_size() {
         ("BODY_NAMES", "bodies"),
         ("COORDINATE_NAMES", "coordinates"),
         ("SPEED_NAMES", "speeds"),
+        ("JOINTS", "joints"),
+        ("FRAMES", "frames"),
+        ("PARAMETER_NAMES", "parameters"),
         ("PRESCRIBED", "prescribed"),
         ("FINGERPRINT", "fingerprint"),
         ("OPERATIONS", "functions"),
@@ -148,12 +144,17 @@ fn every_constant_of_the_module_is_in_it_or_is_a_size() {
 fn shapes_of_arguments_are_those_of_their_numbers_in_memory() {
     let functions = r#"["loaded_forward_dynamics", "bias(sin_cos)"]"#;
     let manifest = manifest(&robot(functions, ""));
+    let argument = |name: &str, shape: Value| json!({ "name": name, "shape": shape });
     let arguments = |name: &str| {
         let mut functions = manifest["functions"].as_array().unwrap().iter();
         let function = functions.find(|function| function["name"] == name);
-        function.unwrap()["arguments"].clone()
+        let arguments = function.unwrap()["arguments"].as_array().unwrap().iter();
+        let shapes = arguments.map(|own| match own.get("shape") {
+            Some(shape) => argument(own["name"].as_str().unwrap(), shape.clone()),
+            None => json!({ "name": own["name"] }),
+        });
+        Value::Array(shapes.collect())
     };
-    let argument = |name: &str, shape: Value| json!({ "name": name, "shape": shape });
     let [q, u, tau] = [("q", 9), ("u", 8), ("tau", 8)].map(|(name, n)| argument(name, json!([n])));
     let p = json!({ "name": "p" });
     assert_eq!(
@@ -199,8 +200,8 @@ fn parameter_joint_and_frame_are_a_line_each() {
     let text = robot(r#"["bias"]"#, "").read("legged.json");
     for line in [
         r#"    { "name": "base_mass", "nominal": 12.0, "unit": "kg" }"#,
-        r#"      { "name": "arm", "chart": "AngleRates", "q": [null, 7, null, null, 8, null, null], "u": [null, 6, null, 7, null, null] }"#,
-        r#"      { "name": "tool", "body": 1, "rotation": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "position": [0.0, 0.0, -0.75] }"#,
+        r#"    { "name": "arm", "kind": null, "chart": "AngleRates", "q": [null, 7, null, null, 8, null, null], "u": [null, 6, null, 7, null, null], "axes": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "body_axes": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "position": [0.2, 0.0, -1.0] }"#,
+        r#"    { "name": "tool", "identifier": "tool", "body": 1, "rotation": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "position": [0.0, 0.0, -0.75] }"#,
         r#"    "UPPER_LIMITS": [null, null, null, null, null, null, null, 2.0, 0.125],"#,
     ] {
         assert!(text.lines().any(|own| own == line), "{line}\n{text}");
