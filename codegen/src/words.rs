@@ -10,6 +10,9 @@ const RUST_KEYWORDS: [&str; 52] = [
     "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
+/// What C's structures are called behind a module's name: of parameters, of what is prepared from them, of sines and cosines.
+pub(crate) const C_STRUCTURES: [&str; 3] = ["parameters", "prepared", "sines_cosines"];
+
 /// The crates that generated Rust names.
 pub(crate) const RUST_CRATES: [&str; 2] = ["kane", "core"];
 

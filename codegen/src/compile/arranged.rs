@@ -1,66 +1,56 @@
 //! The cheapest arrangement of a joined function: which parts are derived by one plan, which by a plan of their own, and which are
 //! read off what others find.
 //!
-//! In: the function by one plan for all parts, and each part alone by its own. Out: the cheapest [`Planned`]. Afterwards: it needs
-//! no more operations than by one plan.
+//! In: the function by one plan for all parts, and a plan of each part alone. Out: the cheapest [`Planned`]. Afterwards: it needs no
+//! more operations than by one plan, or fewer sines. What would take long is left as it is.
 
-use super::{
-    planned::{Planned, operations},
-    search::SINE_OF_SEVERAL,
-};
+use std::collections::BTreeSet;
+
+use super::planned::{MOST_NODES, Planned, operations};
 use crate::{
     functions::{Arrangement, Formulation, Request},
+    recursive::Plan,
     tree::Tree,
 };
-
-/// How many operations may be derived to try the parts one by one.
-const MOST_TRIED: usize = 400_000;
 
 /// The cheapest of the arrangements that are tried.
 pub(super) fn cheapest(
     tree: &Tree,
     request: &Request,
-    together: &Planned,
-    own: &[Planned],
+    together: Planned,
+    own: impl FnOnce() -> Vec<Plan>,
 ) -> Planned {
-    let plans = own.iter().map(|own| own.arrangement.plan(0).clone());
-    let own = Arrangement::new(plans);
-    let places = 0..request.parts().len();
+    if together.derived.graph.len() > MOST_NODES {
+        return together;
+    }
     let mut search = Search {
         tree,
         request,
-        least: cost(together),
-        best: together.clone(),
+        least: cost(&together),
+        tried: BTreeSet::from([together.arrangement.clone()]),
+        n_nodes: 0,
+        best: together,
     };
+    let together = search.best.arrangement.clone();
+    let own = Arrangement::new(own().into_iter());
     search.try_one(own.clone());
-    let read_by = |arrangement: &Arrangement| {
-        let can = |place: &usize| request.may_read_off(arrangement, *place);
-        places.clone().filter(can).collect::<Vec<usize>>()
-    };
-    for arrangement in [&together.arrangement, &own] {
-        let read = read_by(arrangement).into_iter();
-        let apart = read.fold(arrangement.clone(), |all, place| {
-            all.with_read_off(place, false)
-        });
-        search.try_one(apart);
+    for arrangement in [&together, &own] {
+        search.try_one(search.apart(arrangement));
     }
-    if 4 * request.parts().len() * operations(&search.best.derived).total() > MOST_TRIED {
-        return search.best;
-    }
-    let mut before = usize::MAX;
-    while search.least < before {
-        before = search.least;
-        for place in places.clone() {
-            search.try_part(place, [&together.arrangement, &own]);
+    let mut before = None;
+    while before != Some(search.least) {
+        before = Some(search.least);
+        for place in 0..request.parts().len() {
+            search.try_part(place, [&together, &own]);
         }
     }
     search.best
 }
 
 /// There is one sine and one cosine a joint, whatever another one would save.
-fn cost(planned: &Planned) -> usize {
+fn cost(planned: &Planned) -> (usize, usize) {
     let operations = operations(&planned.derived);
-    operations.total() + SINE_OF_SEVERAL * operations.trig
+    (operations.trig, operations.total())
 }
 
 struct Search<'a> {
@@ -68,10 +58,22 @@ struct Search<'a> {
     request: &'a Request,
     best: Planned,
     /// What that costs.
-    least: usize,
+    least: (usize, usize),
+    tried: BTreeSet<Arrangement>,
+    /// How many nodes were built.
+    n_nodes: usize,
 }
 
 impl Search<'_> {
+    /// The arrangement with nothing read off.
+    fn apart(&self, arrangement: &Arrangement) -> Arrangement {
+        let places = 0..self.request.parts().len();
+        let read = places.filter(|place| self.request.may_read_off(arrangement, *place));
+        read.fold(arrangement.clone(), |all, place| {
+            all.with_read_off(place, false)
+        })
+    }
+
     /// The part by its plan in these, read off and in its own way.
     fn try_part(&mut self, place: usize, others: [&Arrangement; 2]) {
         for other in others {
@@ -86,11 +88,12 @@ impl Search<'_> {
 
     /// Takes an arrangement if it is cheaper than the best.
     fn try_one(&mut self, arrangement: Arrangement) {
-        if arrangement == self.best.arrangement {
+        if self.n_nodes > MOST_NODES || !self.tried.insert(arrangement.clone()) {
             return;
         }
         let &mut Self { tree, request, .. } = self;
         let planned = Planned::new(tree, request, Formulation::Recursive, arrangement);
+        self.n_nodes += planned.derived.graph.len();
         let cost = cost(&planned);
         if cost < self.least {
             (self.least, self.best) = (cost, planned);

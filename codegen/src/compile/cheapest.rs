@@ -40,9 +40,21 @@ fn one_by_one(plans: &Plans<'_>, request: &Request) -> Planned {
     if request.parts().len() == 1 {
         return together;
     }
-    let alone = request.alone();
-    let own = alone.iter().map(|part| by_one_plan(plans, part));
-    arranged::cheapest(plans.tree, request, &together, &own.collect::<Vec<_>>())
+    let own = || {
+        let alone = request.alone();
+        alone.iter().map(|part| own_plan(plans, part)).collect()
+    };
+    arranged::cheapest(plans.tree, request, together, own)
+}
+
+/// The cheapest plan of a single part.
+fn own_plan(plans: &Plans<'_>, part: &Request) -> Plan {
+    if part.differentiates() {
+        by_one_plan(plans, part).arrangement.plan(0).clone()
+    } else {
+        let plan = plans.of_values(part);
+        part.arranged_by(plans.tree, &plan).plan(0).clone()
+    }
 }
 
 /// The function by the cheapest plan for all its parts.
@@ -51,8 +63,8 @@ fn one_by_one(plans: &Plans<'_>, request: &Request) -> Planned {
 fn by_one_plan(plans: &Plans<'_>, request: &Request) -> Planned {
     let &Plans { tree, without, .. } = plans;
     if !request.differentiates() {
-        let plan = request.arranged_by(tree, &plans.of_values(request));
-        return Planned::new(tree, request, Formulation::Recursive, plan);
+        let arrangement = request.arranged_by(tree, &plans.of_values(request));
+        return Planned::new(tree, request, Formulation::Recursive, arrangement);
     }
     let forward = plans
         .of_values(&request.values())

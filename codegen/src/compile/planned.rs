@@ -1,6 +1,6 @@
-//! A function in one formulation by one plan, as it would be emitted, and what that costs.
+//! A function in one formulation, each part by a plan, as it would be emitted, and what that costs.
 //!
-//! In: a function, a formulation, a plan. Out: its expressions after the passes that see one function alone, and their
+//! In: a function, a formulation, an arrangement. Out: its expressions after the passes that see one function alone, and their
 //! operations in the loop. Does not: choose.
 
 use super::pipeline;

@@ -41,7 +41,7 @@ impl<'a> Plans<'a> {
     pub(super) fn of_values(&self, values: &Request) -> Plan {
         let found = {
             let mut found = self.found.lock().unwrap_or_else(PoisonError::into_inner);
-            Arc::clone(found.entry(values.text()).or_default())
+            Arc::clone(found.entry(values.sum()).or_default())
         };
         let search = || search::plan(self.tree, values, self.without);
         found.get_or_init(search).clone()

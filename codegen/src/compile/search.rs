@@ -31,7 +31,7 @@ const MOST_ASKED: usize = 10_000_000;
 const SINE: usize = 10;
 
 /// In a function that does several things no angle is worth another one: there is one sine and one cosine a joint.
-pub(super) const SINE_OF_SEVERAL: usize = 1_000_000;
+const SINE_OF_SEVERAL: usize = 1_000_000;
 
 /// Up to this many nodes the search starts several times: what is sparse and small has more than one local optimum.
 const MOST_STARTS: usize = 1_500;

@@ -37,7 +37,8 @@ fn generated(
     functions: Option<&Functions>,
 ) -> Result<String, Vec<Diagnostic>> {
     let requests = functions.map_or_else(Vec::new, Functions::requests);
-    if requests.iter().any(|one| one.is_called(&name.value)) {
+    let mut given = requests.iter().filter_map(Parsed::given_name);
+    if given.any(|own| own == name.value) {
         return Ok(name.value.clone());
     }
     let faults = request_faults(name, what);
@@ -63,8 +64,13 @@ fn generated(
         name.value.escape_debug()
     );
     let fault = Diagnostic::error(fault).at(name.span, "not generated");
-    let fault = fault.help("add it to `functions`, or take its limit away");
-    Err(vec![fault])
+    let mut alike = requests.iter().filter(|one| one.sum() == request.sum());
+    let called = alike.find_map(Parsed::given_name);
+    let help = called.map_or_else(
+        || "add it to `functions`, or take its limit away".to_owned(),
+        |called| format!("it is called `{called}` there"),
+    );
+    Err(vec![fault.help(help)])
 }
 
 fn limits(

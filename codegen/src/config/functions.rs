@@ -70,14 +70,15 @@ impl Named {
     pub fn fault(&self, fault: &RequestError) -> Option<Diagnostic> {
         match fault {
             RequestError::SameName { first, second, .. } => {
-                let second = self.entry(second)?.span;
-                let shown = Diagnostic::error(format!("{}: {fault}", self.what));
-                let shown = shown.at(second, "the second one");
-                // The first may be one that every module has.
-                Some(match self.entry(first) {
-                    Some(first) => shown.at(first.span, "the first one"),
-                    None => shown,
-                })
+                // One may be there in every module.
+                let entries = [first, second].map(|text| self.entry(text));
+                let mut spans: Vec<_> = entries.into_iter().flatten().map(|own| own.span).collect();
+                spans.sort_by_key(|span| std::cmp::Reverse(span.start));
+                let mut shown = Diagnostic::error(format!("{}: {fault}", self.what));
+                for (span, label) in spans.into_iter().zip(["the second one", "the first one"]) {
+                    shown = shown.at(span, label);
+                }
+                Some(shown)
             }
             RequestError::UnknownFrame { request, .. } => Some(part_fault(
                 self.entry(request)?,

@@ -3,12 +3,12 @@
 use crate::recursive::{Plan, Technique};
 
 /// By which plan each part of a request is derived, and which of them may be read off what others find.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Arrangement {
     parts: Vec<Arranged>,
 }
 
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Arranged {
     plan: Plan,
     is_read_off: bool,

@@ -62,13 +62,13 @@ pub struct Function {
     pub(super) terms: Terms,
 }
 
-/// By each argument that it tells, how the entries of the only output change: rows are these, columns speeds.
+/// By each argument that it tells, how the entries of the outputs change: rows are these, output after output, columns speeds.
 pub(super) type JacobiansFn = fn(&mut ExprGraph, &Tree, &Plan) -> Jacobians;
 
 /// How a function changes with what it is given, a matrix for each argument; and its values, where the matrices needed them.
 #[derive(Debug)]
 pub(super) struct Jacobians {
-    pub(super) by: Vec<(Argument, SpeedMatrix)>,
+    pub(super) by: Vec<(Argument, Vec<Vec<Expr>>)>,
     pub(super) values: Option<Vec<Expr>>,
     /// The mass matrix, where they need it.
     pub(super) mass: Option<SpeedMatrix>,

@@ -22,8 +22,8 @@ impl Request {
         self.derive_arranged(tree, formulation, &self.arranged_by(tree, plan))
     }
 
-    /// Derives all parts. One that has a single formulation takes no notice of `formulation`, and only what needs a plan of
-    /// its plan.
+    /// Derives all parts, each by its plan, or read off what others find where the arrangement says so. One that has a single
+    /// formulation takes no notice of `formulation`, and only what needs a plan of its plan.
     pub fn derive_arranged(
         &self,
         tree: &Tree,
@@ -64,10 +64,20 @@ impl Request {
         let derivatives = self.parts().iter().filter(|part| part.derivative.is_some());
         let has_several = derivatives.count() > 1;
         let of_part = |part: &Part| {
-            let sweep = part.one_row_sweep(tree).filter(|_| has_several);
-            sweep.map_or_else(
+            if part.derivative.is_none() {
+                // How derivatives are found says nothing.
+                let plan = plan.with(Technique::DirectDerivatives, false);
+                return plan.with(Technique::Reverse, false);
+            }
+            let sweep = if has_several {
+                part.one_row_sweep(tree)
+            } else {
+                None
+            };
+            let is_reverse = sweep.map(|sweep| sweep == Sweep::Reverse);
+            is_reverse.map_or_else(
                 || plan.clone(),
-                |sweep| plan.with(Technique::Reverse, sweep == Sweep::Reverse),
+                |is_reverse| plan.with(Technique::Reverse, is_reverse),
             )
         };
         Arrangement::new(self.parts().iter().map(of_part))

@@ -1,6 +1,6 @@
 //! What is generated: a function of the catalogue, or several in one that share their work.
 //!
-//! In: parts, on the tree of a model. Out: a [`Request`]: its name, what it is given and writes, and its derivation.
+//! In: parts, on the tree of a model. Out: a [`Request`]: its name, what it is given and writes. How it is derived stands in `joined`.
 
 use std::collections::BTreeSet;
 
@@ -39,8 +39,13 @@ impl Request {
         &self.parts
     }
 
-    /// The part, where it is one as the catalogue has it, whatever it is called.
+    /// The part, where it is one as the catalogue has it, under its own name.
     pub fn catalogue_part(&self) -> Option<&Part> {
+        self.only_part().filter(|_| self.name.is_none())
+    }
+
+    /// The part, where it is one as the catalogue has it, whatever the function is called.
+    pub fn only_part(&self) -> Option<&Part> {
         match &self.parts[..] {
             [part] if !self.at_sin_cos && part.derivative.is_none() => Some(part),
             _ => None,
@@ -286,7 +291,7 @@ impl Request {
     /// True where some of these are of accelerations that forces make.
     pub fn differentiates_accelerations(&self) -> bool {
         let mut parts = self.parts.iter();
-        parts.any(|part| part.has_direct_derivatives() && part.function.inverse_dynamics.is_some())
+        parts.any(|part| part.has_direct_derivatives() && part.function.solves())
     }
 
     /// True where all second derivatives are of accelerations that forces make, and there are some.

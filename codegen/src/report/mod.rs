@@ -5,6 +5,7 @@
 
 mod compare;
 mod counts;
+mod declarations;
 mod differences;
 mod outline;
 mod partitions;
@@ -15,6 +16,7 @@ mod svg;
 pub use crate::listing::Counted;
 pub use compare::{Change, Comparison, compare, counted, differs_in_layout_only};
 pub use counts::{Counts, count};
+pub use declarations::{Redeclared, redeclared};
 pub use differences::{Differences, LayoutChange, ValueChange, differences};
 pub use outline::{Body, Layout, ModuleError, Outline, Values};
 pub use partitions::{Cell, Partitions, partitions};

@@ -87,7 +87,7 @@ impl<'a> LockstepSolver<'a> {
 
     /// A unit force along a speed: what a column of the inverse solves.
     pub fn unit(&self, graph: &mut ExprGraph, speed: SpeedId) -> Vec<Expr> {
-        let mut column = vec![graph.zero(); self.writer.factors.order.len()];
+        let mut column = vec![graph.zero(); self.writer.factors.n_speeds()];
         column[speed.index()] = graph.one();
         column
     }
@@ -98,7 +98,7 @@ impl<'a> LockstepSolver<'a> {
         let (groups, few) = self.groups(graph, columns);
         let Writer { factors, tree, .. } = self.writer;
         let zero = graph.zero();
-        let mut solved = vec![vec![zero; factors.order.len()]; columns.len()];
+        let mut solved = vec![vec![zero; factors.n_speeds()]; columns.len()];
         let rest: Vec<Vec<Expr>> = few.iter().map(|&own| columns[own].clone()).collect();
         for (place, column) in few.into_iter().zip(factors.solutions(graph, tree, &rest)) {
             solved[place] = column;
@@ -160,7 +160,7 @@ impl<'a> LockstepSolver<'a> {
             let mut own = group.columns.iter();
             own.any(|&own| !graph.is_zero(columns[own][*speed]))
         };
-        let given: Vec<usize> = (0..self.writer.factors.order.len())
+        let given: Vec<usize> = (0..self.writer.factors.n_speeds())
             .filter(is_given)
             .collect();
         let mut known = self.solvers.iter();
@@ -277,7 +277,7 @@ impl Writer<'_> {
     ) -> Solver {
         let mut helper = ExprGraph::default();
         helper.begin(Purpose::Solution);
-        let mut b = vec![helper.zero(); self.factors.order.len()];
+        let mut b = vec![helper.zero(); self.factors.n_speeds()];
         for own in self.factors.order.iter().rev() {
             if let Ok(place) = given.binary_search(&own.index()) {
                 helper.enter(own.body);

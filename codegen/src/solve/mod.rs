@@ -24,7 +24,7 @@ pub use carried::{factorise, factorise_on_carriers};
 pub use carriers::{Carriers, RootMotion};
 pub use inverse::Inversion;
 pub use lockstep::LockstepSolver;
-pub use partitioned::{FreeSpeeds, Partitioned, partitioned};
+pub use partitioned::{FreeSpeeds, Partitioned};
 
 use crate::{
     expr::{Expr, ExprGraph, Purpose},
@@ -53,8 +53,13 @@ pub fn product(graph: &mut ExprGraph, matrix: &SpeedMatrix, column: &[Expr]) -> 
     rows.collect()
 }
 
+/// A column with the other sign.
+pub fn negated(column: Vec<Expr>) -> Vec<Expr> {
+    column.into_iter().map(|entry| -entry).collect()
+}
+
 /// Rows of a matrix as its columns.
-pub fn transposed(matrix: &[Vec<Expr>]) -> SpeedMatrix {
+pub fn transposed(matrix: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
     let columns = 0..matrix.first().map_or(0, Vec::len);
     let column = |column| matrix.iter().map(|row| row[column]).collect();
     columns.map(column).collect()
@@ -63,7 +68,7 @@ pub fn transposed(matrix: &[Vec<Expr>]) -> SpeedMatrix {
 /// The factors of `A = L^T D L`.
 #[derive(Debug)]
 pub struct Factors {
-    /// Speeds from the leaves inward.
+    /// Speeds from the leaves inward: all, or those that are solved for.
     order: Vec<BodySpeed>,
     /// For each entry of `order`: the coupled speeds still to be eliminated, with the entry of L.
     couplings: Vec<Vec<(BodySpeed, Expr)>>,
@@ -124,6 +129,11 @@ pub fn subtract(graph: &mut ExprGraph, tree: &Tree, tau: &mut [Expr], needed: &[
 }
 
 impl Factors {
+    /// How many speeds the system has.
+    fn n_speeds(&self) -> usize {
+        self.pivots.len()
+    }
+
     /// Those of a row for every speed, in the order in which they were eliminated.
     pub fn of_rows(tree: &Tree, rows: &[FactorRow]) -> Self {
         let mut speeds = elimination_order(tree);

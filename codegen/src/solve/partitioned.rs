@@ -52,25 +52,20 @@ impl FreeSpeeds {
         }
     }
 
-    /// The accelerations of the free speeds that these forces make; what others have here says nothing.
-    pub fn solve(&self, graph: &mut ExprGraph, tau: Vec<Expr>) -> Vec<Expr> {
-        self.factors.solve(graph, tau)
-    }
-
-    /// The same for each of several columns of forces, zero at prescribed speeds.
+    /// The accelerations of the free speeds for each of several columns of forces; those of prescribed speeds are neither read nor
+    /// other than zero.
     pub fn solutions(
         &self,
         graph: &mut ExprGraph,
         tree: &Tree,
-        columns: &[Vec<Expr>],
+        mut columns: Vec<Vec<Expr>>,
     ) -> Vec<Vec<Expr>> {
-        let mut solved = self.factors.solutions(graph, tree, columns);
-        for column in &mut solved {
+        for column in &mut columns {
             for (own, _) in &self.beside {
                 column[own.index()] = graph.zero();
             }
         }
-        solved
+        self.factors.solutions(graph, tree, &columns)
     }
 
     /// `A_ff^-1`, zero elsewhere.
@@ -100,24 +95,22 @@ impl FreeSpeeds {
         }
         forces
     }
-}
 
-/// Solves `A_ff x_f = tau_f - needed_f` for the free speeds, then `f_p = needed_p + A_pf x_f` for the prescribed ones, whose
-/// own accelerations are in `needed` already.
-pub fn partitioned(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    a: SpeedMatrix,
-    prescribed: &BTreeSet<SpeedId>,
-    mut tau: Vec<Expr>,
-    needed: &[Expr],
-) -> Partitioned {
-    let free = FreeSpeeds::new(graph, tree, a, prescribed);
-    subtract(graph, tree, &mut tau, needed);
-    let accelerations = free.solve(graph, tau);
-    let forces = free.forces(graph, tree, needed, &accelerations);
-    Partitioned {
-        accelerations,
-        forces,
+    /// Solves `A_ff x_f = tau_f - needed_f` for the free speeds, then `f_p = needed_p + A_pf x_f` for the prescribed ones, whose own
+    /// accelerations are in `needed` already.
+    pub fn partitioned(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        mut tau: Vec<Expr>,
+        needed: &[Expr],
+    ) -> Partitioned {
+        subtract(graph, tree, &mut tau, needed);
+        let accelerations = self.factors.solve(graph, tau);
+        let forces = self.forces(graph, tree, needed, &accelerations);
+        Partitioned {
+            accelerations,
+            forces,
+        }
     }
 }

@@ -29,7 +29,7 @@ pub(super) struct Reduced<'a> {
 impl<'a> Reduced<'a> {
     pub(super) fn new(factors: &Factors, carriers: &'a Carriers) -> Self {
         let n = factors.order.len();
-        let mut places = vec![0; factors.pivots.len()];
+        let mut places = vec![0; factors.n_speeds()];
         for (place, k) in factors.order.iter().enumerate() {
             places[k.index()] = place;
         }

@@ -111,6 +111,13 @@ fn a_function_with_a_name_is_limited_by_it() {
     let (total, _) = stated(&project, "step");
     let over = format!("total    step  {total}, of 1 (+{})", total - 1);
     assert!(ran.told().contains(&over), "{}", ran.told());
+    // By its parts it is told by which name.
+    let config = project.read("kane.toml");
+    let by_parts = config.replace("step = 1 }", "\"mass_matrix+bias\" = 1 }");
+    project.write("kane.toml", &by_parts);
+    let ran = project.kane(&["check"]);
+    assert!(ran.err.contains("it is called `step` there"), "{}", ran.err);
+    project.write("kane.toml", &config);
     // It is known by its name where its model is listed.
     let state = "{\"q\": {}, \"u\": {}}";
     project.write("state.json", state);

@@ -268,3 +268,30 @@ fn tests_stand_beside_their_module_and_name_its_functions() {
     project.write("generated/arm_tests.rs", &tests.replace("0.", "1."));
     assert_eq!(project.kane(&["check"]).code, 1);
 }
+
+#[test]
+fn tests_of_functions_with_names_are_those_of_the_functions() {
+    let project = Project::arm();
+    let tests = |functions: &str| {
+        let arguments = [
+            "generate",
+            "models/arm.toml",
+            "--functions",
+            functions,
+            "--with-tests",
+            "--output",
+            "own.rs",
+        ];
+        let ran = project.kane(&arguments);
+        assert_eq!(ran.code, 0, "{ran:?}");
+        project.read("own_tests.rs")
+    };
+    // Names that the tests have for other things.
+    let named = tests("system = forward_dynamics, p = inverse_dynamics");
+    for called in ["super::own::system(", "super::own::p("] {
+        assert!(named.contains(called), "{called}");
+    }
+    let law = "fn forward_undoes_inverse()";
+    assert!(tests("forward_dynamics, inverse_dynamics").contains(law));
+    assert!(named.contains(law));
+}

@@ -209,6 +209,29 @@ fn another_order_of_the_coordinates_is_breaking_though_no_operation_changes() {
 }
 
 #[test]
+fn other_arguments_of_a_function_are_breaking() {
+    let project = Project::arm();
+    let generated = |file: &str, functions: &str| {
+        let arguments = [
+            "generate",
+            "models/arm.toml",
+            "--functions",
+            functions,
+            "--output",
+            file,
+        ];
+        assert_eq!(project.kane(&arguments).code, 0, "{functions}");
+    };
+    generated("old.rs", "step = bias+mass_matrix");
+    generated("new.rs", "step = mass_matrix+bias");
+    let ran = project.kane(&["diff", "old.rs", "new.rs"]);
+    let told = "BREAKING: functions with other arguments\n  changed  step  p, q, u, bias, m -> p, q, u, m, bias\n";
+    assert!(ran.out.contains(told), "{}", ran.out);
+    let ran = project.kane(&["diff", "old.rs", "new.rs", "--format", "json"]);
+    assert!(ran.out.contains("\"breaking\": true"), "{}", ran.out);
+}
+
+#[test]
 fn body_on_another_one_is_told() {
     let text = with_hand(&model("arm", "2.0"));
     let project = Project::empty();

@@ -451,3 +451,16 @@ fn what_cannot_be_differentiated_is_told_why() {
         );
     }
 }
+
+#[test]
+fn values_of_base_parameters_stay_beside_others_of_one_name() {
+    let model = repository("models/cart_pole.toml");
+    let evaluated = |function: &str| -> Value {
+        let arguments = ["eval", model.to_str().unwrap(), "--function", function];
+        serde_json::from_str(&Project::empty().kane(&arguments).out).unwrap()
+    };
+    let alone = evaluated("base_parameters");
+    let joined = evaluated("base_parameters+inertial_parameters");
+    assert_eq!(joined["base_parameters"], alone["pi"]);
+    assert_eq!(joined["base_parameter_names"], alone["base_parameters"]);
+}

@@ -158,30 +158,51 @@ fn all_ways_give_the_same_derivatives_whatever_is_prescribed() {
 }
 
 #[test]
-fn derivatives_with_nothing_prescribed_are_those_of_forward_dynamics_and_with_all_those_of_inverse_dynamics()
- {
-    let reading = Reading {
-        base: Some(Base::Fixed),
-        ..Reading::default()
-    };
-    let arm = read("tests/robots/panda/panda.urdf", &reading);
-    let count = |tree: &Tree, text: &str| {
-        let plan = Plan::full(tree).with(Technique::Lockstep, false);
-        let request = frames::request(tree, text);
-        let derived = compile::by_plan(tree, &request, Formulation::Recursive, &plan);
-        compile::operations(&derived).total()
-    };
-    let hybrid = "d(hybrid_dynamics)/d(q, u)";
-    let none = prescribing(&arm, |_| false);
-    assert_eq!(
-        count(&none, hybrid),
-        count(&arm, "d(forward_dynamics)/d(q, u)")
-    );
-    let all = prescribing(&arm, |_| true);
-    assert_eq!(
-        count(&all, hybrid),
-        count(&arm, "d(inverse_dynamics)/d(q, u)")
-    );
+fn derivatives_with_none_and_with_all_prescribed_cost_what_those_of_the_dynamics_do() {
+    for (robot, base) in [("panda", Base::Fixed), ("solo12", Base::Free)] {
+        let reading = Reading {
+            base: Some(base),
+            ..Reading::default()
+        };
+        let plain = read(&format!("tests/robots/{robot}/{robot}.urdf"), &reading);
+        let count = |tree: &Tree, text: &str| {
+            let plan = Plan::full(tree).with(Technique::Lockstep, false);
+            let request = frames::request(tree, text);
+            let derived = compile::by_plan(tree, &request, Formulation::Recursive, &plan);
+            compile::operations(&derived).total()
+        };
+        let hybrid = "d(hybrid_dynamics)/d(q, u)";
+        let none = prescribing(&plain, |_| false);
+        assert_eq!(
+            count(&none, hybrid),
+            count(&plain, "d(forward_dynamics)/d(q, u)"),
+            "{robot}"
+        );
+        let all = prescribing(&plain, |_| true);
+        assert_eq!(
+            count(&all, hybrid),
+            count(&plain, "d(inverse_dynamics)/d(q, u)"),
+            "{robot}"
+        );
+    }
+}
+
+#[test]
+fn derivatives_hold_where_joints_follow_a_prescribed_one() {
+    let reading = Reading::default();
+    let gripper = read("tests/robots/gripper/gripper.urdf", &reading);
+    assert!(gripper.has_followers());
+    let state = &State::random(&gripper, 7);
+    for place in 0..gripper.bodies.len() {
+        let tree = prescribing(&gripper, |body| *body == place);
+        let request = frames::request(&tree, "d(hybrid_dynamics)/d(q, u, u_dot, tau)");
+        let all = ways(&tree).map(|(formulation, plan)| {
+            frames::evaluate_by(&tree, &request, formulation, &plan, state)
+        });
+        for found in &all[1..] {
+            assert_within(format!("body {place}"), relative(found, &all[0]), INVERTED);
+        }
+    }
 }
 
 #[test]

@@ -105,6 +105,15 @@ fn the_order_of_parts_does_not_matter() {
         operations(&tree, &request, &request.arranged_by(&tree, &told))
     });
     assert_eq!([first, first], [second, third]);
+    let orders = [
+        "gravity_forces+d(gravity_forces)/d(q)",
+        "d(gravity_forces)/d(q)+gravity_forces",
+    ];
+    let [first, second] = orders.map(|text| {
+        let request = request(&tree, text);
+        operations(&tree, &request, &request.arranged_by(&tree, &told))
+    });
+    assert_eq!(first, second);
 }
 
 #[test]

@@ -214,22 +214,34 @@ fn what_cannot_be_a_name_is_told_with_why_beside_other_faults() {
         ("", "expected a name before `=`"),
         (
             "Step",
-            "expected lower-case letters, digits and `_`, a letter first",
+            "expected words of lower-case letters and digits with one `_` between them, a letter first",
         ),
         (
             "2a",
-            "expected lower-case letters, digits and `_`, a letter first",
+            "expected words of lower-case letters and digits with one `_` between them, a letter first",
+        ),
+        (
+            "a__b",
+            "expected words of lower-case letters and digits with one `_` between them, a letter first",
         ),
         ("fn", "it is a keyword of Rust"),
         ("bias", "it is a function of the catalogue"),
-        ("prepare", "it has a meaning of its own"),
-        ("a_stage_1", "it has a meaning of its own"),
-        ("a_lockstep_1", "it has a meaning of its own"),
+        ("prepare", "a module has something of that name"),
+        ("parameters", "a module has something of that name"),
+        (
+            "a_stage_b",
+            "`_stage_` marks what a long function calls, such as `bias_stage_1`",
+        ),
+        (
+            "a_lockstep_1",
+            "`_lockstep_` marks what a long function calls, such as `bias_lockstep_1`",
+        ),
         (&"a".repeat(65), "expected 64 characters at most"),
     ] {
         let fault = format!("`{name}` cannot be the name of a function: {why}");
         assert_eq!(faults(&format!("{name} = mass_matrix")), [fault]);
     }
     assert_eq!(faults("Step = foo+bar").len(), 3);
+    assert_eq!(faults("Step = bias+bias").len(), 2);
     assert!(faults("a = b = bias")[0].starts_with("`b = bias` is no function"));
 }

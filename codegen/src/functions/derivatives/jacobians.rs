@@ -18,7 +18,6 @@ use crate::{
         variable::Variable,
     },
     recursive::{Plan, Technique},
-    solve::SpeedMatrix,
     tree::Tree,
 };
 
@@ -130,13 +129,19 @@ impl Part {
 
 impl Jacobians {
     /// What they tell other parts: the values are those of the function of this name; it finds these matrices.
-    pub(in crate::functions) fn told(mut self, name: String, matrices: &[KnownMatrix]) -> Told {
+    pub(in crate::functions) fn into_told(
+        mut self,
+        name: String,
+        matrices: &[KnownMatrix],
+    ) -> Told {
         let mut told = Told::default().with_values(name, self.values.take());
         for &matrix in matrices {
             let entries = match matrix {
                 KnownMatrix::Mass => self.mass.take(),
                 KnownMatrix::MassInverse => self.by(&Variable::Given(Argument::Tau)).cloned(),
-                KnownMatrix::MassDot | KnownMatrix::Coriolis => None,
+                KnownMatrix::MassDot | KnownMatrix::Coriolis => {
+                    unreachable!("functions: no derivatives find {matrix:?}")
+                }
             };
             if let Some(entries) = entries {
                 told = told.with(matrix, entries);
@@ -145,7 +150,7 @@ impl Jacobians {
         told
     }
 
-    pub(super) fn by(&self, variable: &Variable) -> Option<&SpeedMatrix> {
+    pub(super) fn by(&self, variable: &Variable) -> Option<&Matrix> {
         let mut by = self.by.iter();
         let found = by.find(|(argument, _)| Variable::Given(*argument) == *variable)?;
         Some(&found.1)

@@ -140,7 +140,8 @@ impl Part {
             values: None,
             ..told
         });
-        let matrices = matrices.map(|told| told.told(name.clone(), self.function.derivatives_tell));
+        let matrices =
+            matrices.map(|told| told.into_told(name.clone(), self.function.derivatives_tell));
         First {
             told: matrices
                 .unwrap_or_default()

@@ -6,43 +6,48 @@ use crate::{
         function::Function,
         signature::{HELPER_INFIX, SIN_COS, STAGE_INFIX},
     },
-    words::is_rust_keyword,
+    words::{C_STRUCTURES, is_rust_keyword},
 };
 
 /// The longest name that a function may be given.
 const LONGEST_NAME: usize = 64;
 
-/// What generated modules, and C's headers, have beside functions that are asked for.
+/// The functions that generated modules, and C's headers, have beside those that are asked for.
 const TAKEN: [&str; 3] = [SIN_COS, "prepare", "nominal"];
+
+/// What the names of stages and helpers have.
+const INFIXES: [&str; 2] = [STAGE_INFIX, HELPER_INFIX];
 
 /// What is wrong with the name that a function is given.
 pub(super) fn fault(word: &Word) -> Option<RequestError> {
-    let name = word.text.as_str();
+    Some(RequestError::Name {
+        name: word.text.clone(),
+        why: why_not(&word.text)?,
+        place: word.place.clone(),
+    })
+}
+
+fn why_not(name: &str) -> Option<String> {
     let is_of_name = |own: char| own.is_ascii_lowercase() || own.is_ascii_digit() || own == '_';
+    let begins = name.starts_with(|first: char| first.is_ascii_lowercase());
     let why = if name.is_empty() {
         "expected a name before `=`"
-    } else if !name.starts_with(|first: char| first.is_ascii_lowercase())
-        || !name.chars().all(is_of_name)
-    {
-        "expected lower-case letters, digits and `_`, a letter first"
+    } else if !begins || !name.chars().all(is_of_name) || name.split('_').any(str::is_empty) {
+        "expected words of lower-case letters and digits with one `_` between them, a letter first"
     } else if name.len() > LONGEST_NAME {
-        "expected 64 characters at most"
+        return Some(format!("expected {LONGEST_NAME} characters at most"));
     } else if is_rust_keyword(name) {
         "it is a keyword of Rust"
     } else if Function::find(name).is_some() {
         "it is a function of the catalogue"
-    } else if TAKEN.contains(&name)
-        || [STAGE_INFIX, HELPER_INFIX]
-            .iter()
-            .any(|infix| name.contains(infix))
-    {
-        "it has a meaning of its own"
+    } else if TAKEN.contains(&name) || C_STRUCTURES.contains(&name) {
+        "a module has something of that name"
     } else {
-        return None;
+        let mut infixes = INFIXES.into_iter();
+        let infix = infixes.find(|infix| name.contains(infix))?;
+        return Some(format!(
+            "`{infix}` marks what a long function calls, such as `bias{infix}1`"
+        ));
     };
-    Some(RequestError::Name {
-        name: name.to_owned(),
-        why,
-        place: word.place.clone(),
-    })
+    Some(why.to_owned())
 }

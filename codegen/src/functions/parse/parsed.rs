@@ -72,22 +72,18 @@ impl Parsed {
     pub fn read(text: &str) -> Result<Self, Vec<RequestError>> {
         let sum = syntax::read(text);
         let sum = sum.map_err(|unexpected| vec![RequestError::syntax(text, unexpected)])?;
-        let name_fault = sum
-            .name
-            .iter()
-            .find_map(given_name::fault)
-            .map(|fault| vec![fault]);
+        let mut faults = Vec::new();
+        faults.extend(sum.name.as_ref().and_then(given_name::fault));
         let parts = sum.parts.iter();
         let parts = parts.map(|part| ParsedPart::of(text, part).map_err(|fault| vec![fault]));
         let parts = all_or_faults(parts);
-        let parts = match (name_fault, parts) {
-            (None, parts) => parts?,
-            (Some(fault), Ok(_)) => return Err(fault),
-            (Some(fault), Err(more)) => return Err([fault, more].concat()),
-        };
-        if let Some(fault) = joined_fault(text, &parts) {
-            return Err(vec![fault]);
+        match &parts {
+            Ok(parts) => faults.extend(joined_fault(text, parts)),
+            Err(more) => faults.extend(more.iter().cloned()),
         }
+        let (Ok(parts), []) = (parts, &faults[..]) else {
+            return Err(faults);
+        };
         Ok(Self {
             text: text.to_owned(),
             name: sum.name.map(|name| name.text),
@@ -134,14 +130,18 @@ impl Parsed {
 
     /// As it is asked for, in one way of writing it: `mass_matrix+bias(sin_cos)`, `step = mass_matrix+bias`.
     pub fn text(&self) -> String {
-        let parts: Vec<String> = self.parts.iter().map(ParsedPart::text).collect();
-        let sum = parts.join("+") + if self.at_sin_cos { AT_SIN_COS } else { "" };
-        syntax::named(self.name.as_deref(), sum)
+        syntax::named(self.name.as_deref(), self.sum())
     }
 
-    /// True where it says that the function is to be called so.
-    pub fn is_called(&self, name: &str) -> bool {
-        self.name.as_deref() == Some(name)
+    /// The same without a name that it is given.
+    pub fn sum(&self) -> String {
+        let parts: Vec<String> = self.parts.iter().map(ParsedPart::text).collect();
+        parts.join("+") + if self.at_sin_cos { AT_SIN_COS } else { "" }
+    }
+
+    /// What it says that the function is to be called.
+    pub fn given_name(&self) -> Option<&str> {
+        self.name.as_deref()
     }
 
     /// Where it stands in a module: the catalogue's functions in their order, then the others.

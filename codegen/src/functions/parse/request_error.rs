@@ -24,7 +24,7 @@ pub enum RequestError {
         /// The name.
         name: String,
         /// Why not.
-        why: &'static str,
+        why: String,
         /// Where in the request.
         place: Range<usize>,
     },

@@ -72,7 +72,7 @@ impl Part {
             && let Some(told) = self.derive_matrices(derived, tree, formulation, plan)
         {
             let function = self.function;
-            return told.told(self.values().name(), function.derivatives_tell);
+            return told.into_told(self.values().name(), function.derivatives_tell);
         }
         if is_direct
             && let Some(derivative) = self.second_derivative()

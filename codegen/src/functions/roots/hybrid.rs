@@ -6,7 +6,7 @@ use crate::{
     functions::formulation::Way,
     given::{Accelerations, Loads},
     recursive::{Plan, accelerations::hybrid_dynamics as recursive},
-    solve::{self, Partitioned},
+    solve::{self, FreeSpeeds, Partitioned},
     tree::Tree,
 };
 
@@ -27,7 +27,8 @@ fn by_partitions(graph: &mut ExprGraph, tree: &Tree) -> Partitioned {
     let needed = needed(graph, tree, Way::Notes, given, Loads::Absent);
     let a = matrix(graph, tree, Way::Notes);
     let tau = applied(graph, tree);
-    solve::partitioned(graph, tree, a, &tree.prescribed, tau, &needed)
+    let free = FreeSpeeds::new(graph, tree, a, &tree.prescribed);
+    free.partitioned(graph, tree, tau, &needed)
 }
 
 fn by_plan(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Partitioned {
@@ -47,7 +48,7 @@ fn by_plan(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Partitioned {
 }
 
 /// All accelerations, then all forces: what was found among what is given.
-fn whole(graph: &mut ExprGraph, tree: &Tree, found: Partitioned) -> Vec<Expr> {
+pub(super) fn whole(graph: &mut ExprGraph, tree: &Tree, found: Partitioned) -> Vec<Expr> {
     let Partitioned {
         mut accelerations,
         mut forces,

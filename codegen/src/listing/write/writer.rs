@@ -58,20 +58,19 @@ impl<'a> FunctionWriter<'a> {
 
     /// The functions that were compiled, in order.
     pub(in crate::listing) fn functions(&self) -> Vec<Function> {
-        let places: Vec<usize> = (0..self.compiled.functions.len()).collect();
-        threads::map(&places, |&place| self.function(place))
+        let functions = self.compiled.functions.iter();
+        let sums: Vec<String> = functions.map(|own| own.request.sum()).collect();
+        // A trait is implemented once, whatever other names what it stands for has.
+        let is_first = |place: usize| !sums[..place].contains(&sums[place]);
+        let places: Vec<usize> = (0..sums.len()).collect();
+        threads::map(&places, |&place| self.function(place, is_first(place)))
     }
 
-    fn function(&self, place: usize) -> Function {
+    fn function(&self, place: usize, is_first: bool) -> Function {
         let emittable = &self.compiled.functions[place];
         let (request, program) = (&emittable.request, &emittable.program);
         let signature = request.signature();
         let arguments = request.arguments();
-        // A trait is implemented once, whatever other names what it stands for has.
-        let others = &self.compiled.functions[..place];
-        let is_first = others
-            .iter()
-            .all(|other| other.request.sum() != request.sum());
         let scratch = Scratch::of(program, signature.arguments.len());
         let code = self.code(&Body {
             program,
@@ -90,7 +89,7 @@ impl<'a> FunctionWriter<'a> {
         Function {
             request: Some(request.text()),
             arguments,
-            catalogue_part: request.catalogue_part().filter(|_| is_first).cloned(),
+            catalogue_part: request.only_part().filter(|_| is_first).cloned(),
             derivative_trait: request.derivative_trait().filter(|_| is_first),
             pattern: self.pattern(place),
             formulation: emittable.formulation,

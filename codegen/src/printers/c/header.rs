@@ -13,6 +13,7 @@ use crate::{
         Signature,
     },
     listing::{Entries, Facts, Module, Size, nominal},
+    words::C_STRUCTURES,
 };
 
 /// The text of the header of the module `name`, for C99 and C++.
@@ -219,14 +220,15 @@ impl Header<'_> {
             let doc = "For the functions alone: their order may change.".to_owned();
             (doc, format!("values[{}]", facts.fields.len()))
         });
+        let [of_parameters, of_prepared, of_sines] = C_STRUCTURES;
         let mut structures = vec![
             (
-                "parameters",
+                of_parameters,
                 "Values set at run time.",
                 parameters.collect(),
             ),
             (
-                "prepared",
+                of_prepared,
                 "Whatever depends on parameters alone.",
                 Vec::from_iter(prepared),
             ),
@@ -242,7 +244,7 @@ impl Header<'_> {
                 fields.to_vec()
             };
             let doc = "The sine and cosine of every angle among the coordinates.";
-            structures.push(("sines_cosines", doc, fields));
+            structures.push((of_sines, doc, fields));
         }
         let of = |(kind, doc, fields): (&str, &str, Vec<(String, String)>)| {
             SCALARS.map(|scalar| {
@@ -268,12 +270,14 @@ impl Header<'_> {
     }
 
     fn declared(&self, argument: &Declared, scalar: &str) -> String {
+        let structure = |kind: &str| format!("{}_{kind}_{scalar}", self.name);
+        let [of_parameters, of_prepared, of_sines] = C_STRUCTURES;
         let element = match argument.element {
             Element::Scalar => scalar_type(scalar).to_owned(),
             Element::Load => format!("kane_load_{scalar}"),
-            Element::Parameters => format!("{}_parameters_{scalar}", self.name),
-            Element::Prepared => format!("{}_prepared_{scalar}", self.name),
-            Element::SinCos => format!("{}_sines_cosines_{scalar}", self.name),
+            Element::Parameters => structure(of_parameters),
+            Element::Prepared => structure(of_prepared),
+            Element::SinCos => structure(of_sines),
         };
         let constness = match argument.access {
             Access::Read => "const ",

@@ -33,7 +33,7 @@ pub(crate) fn self_tests(
     let mut items = vec![parse_quote!(use super::#name::*;)];
     items.extend(states(module, samples));
     let sampled = module.functions.iter().zip(functions);
-    items.extend(sampled.map(|(function, sampled)| values(function, sampled)));
+    items.extend(sampled.map(|(function, sampled)| values(&name, function, sampled)));
     items.extend(identities(module));
     text + &printed(items)
 }
@@ -128,7 +128,7 @@ fn systems(facts: &Facts, samples: &[Sample]) -> Vec<Item> {
 }
 
 /// The test that a function has its values.
-fn values(function: &Function, sampled: &Sampled) -> Item {
+fn values(module: &Ident, function: &Function, sampled: &Sampled) -> Item {
     let name = &function.signature.name;
     let (test, call) = (format_ident!("{name}_has_its_values"), ident(name));
     let places: Vec<Expr> = (0..sampled.lengths.len()).map(syntax::integer).collect();
@@ -185,7 +185,7 @@ fn values(function: &Function, sampled: &Sampled) -> Item {
                 let p = system(place);
                 #sines
                 let mut outputs = (#(#empty,)*);
-                #call(&p, #(#given,)* #(&mut outputs.#places),*);
+                super::#module::#call(&p, #(#given,)* #(&mut outputs.#places),*);
                 #(kane::self_test::has_values(#name, #found, #entries, &expected.#places)?;)*
             }
             Ok(())
@@ -266,8 +266,12 @@ fn identities(module: &Module) -> Vec<Item> {
     items
 }
 
+/// True where the module has these functions of the system, whatever they are called there.
 fn has(module: &Module, names: &[&str]) -> bool {
-    names.iter().all(|name| module.function(name).is_some())
+    let parts = module.functions.iter();
+    let parts = parts.filter_map(|own| own.catalogue_part.as_ref());
+    let known: Vec<&str> = parts.map(|part| part.function.name).collect();
+    names.iter().all(|name| known.contains(name))
 }
 
 /// The test that forces are linear in a parameter; they are in all but lengths and angles.

@@ -14,7 +14,7 @@ use crate::{
         matrices::composite,
         plan::{Plan, Technique},
     },
-    solve::{self, Partitioned},
+    solve::{FreeSpeeds, Partitioned},
     tree::Tree,
 };
 
@@ -36,7 +36,8 @@ pub fn hybrid_dynamics(
         let given = Accelerations::GivenOf(prescribed);
         let needed = inverse_dynamics::forces(graph, &linkage, given, loads);
         let matrix = composite::matrix_with_rotors(graph, &linkage);
-        solve::partitioned(graph, tree, matrix, prescribed, tau, &needed)
+        let free = FreeSpeeds::new(graph, tree, matrix, prescribed);
+        free.partitioned(graph, tree, tau, &needed)
     };
     exchange::accelerations(graph, &linkage, &mut solution.accelerations);
     solution

@@ -1,6 +1,6 @@
 //! What differs, for people: in a terminal, and as tables for a pull request.
 
-use kane_codegen::report::{Body, Differences, LayoutChange, ValueChange};
+use kane_codegen::report::{Body, Differences, LayoutChange, Redeclared, ValueChange};
 
 use super::{report::Report, systems::Systems};
 use crate::cli::text::operations::{self, Row};
@@ -66,15 +66,17 @@ fn files(systems: &Systems) -> Vec<Section> {
     let changed = systems.breaking().map(|report| {
         let layouts = report.differences.layouts.iter();
         let layouts = layouts.filter(|change| change.is_breaking());
-        let layouts: Vec<&str> = layouts.map(|change| change.layout.name()).collect();
-        row("changed", &report.names[1], layouts.join(", "))
+        let layouts = layouts.map(|change| change.layout.name());
+        let redeclared = report.redeclared.iter().map(|own| own.name.as_str());
+        let changed: Vec<&str> = layouts.chain(redeclared).collect();
+        row("changed", &report.names[1], changed.join(", "))
     });
     let added = systems.added.iter();
     let added = added.map(|name| row("added", name, String::new()));
     let mut sections = Vec::new();
     push(
         &mut sections,
-        "BREAKING: files that are gone, or in whose arrays the places changed",
+        "BREAKING: files that are gone, or in which places or arguments changed",
         removed.chain(changed).collect(),
     );
     push(&mut sections, "files", added.collect());
@@ -145,6 +147,19 @@ fn sections(report: &Report) -> Vec<Section> {
         .iter()
         .partition(|change| change.is_of_the_tree());
     let mut sections: Vec<Section> = differences.layouts.iter().map(layout).collect();
+    let redeclared = report.redeclared.iter();
+    let redeclared = redeclared.map(|Redeclared { name, old, new }| {
+        [
+            "changed".to_owned(),
+            name.clone(),
+            format!("{old} -> {new}"),
+        ]
+    });
+    push(
+        &mut sections,
+        "BREAKING: functions with other arguments",
+        redeclared.collect(),
+    );
     let mut bodies = bodies(differences);
     bodies.extend(of_the_tree.into_iter().map(value));
     let values = values.into_iter().map(value).collect();

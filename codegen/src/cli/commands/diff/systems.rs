@@ -143,15 +143,15 @@ impl Systems {
         self.changed.is_empty() && self.added.is_empty() && self.removed.is_empty()
     }
 
-    /// True where a file went, or an array of one has other places.
+    /// True where a file went, or code that uses one must change.
     pub(super) fn is_breaking(&self) -> bool {
         !self.removed.is_empty() || self.breaking().next().is_some()
     }
 
-    /// What differs of modules in whose arrays the places changed.
+    /// What differs of modules whose users must change.
     pub(super) fn breaking(&self) -> impl Iterator<Item = &Report> {
         let changed = self.changed.iter();
-        changed.filter(|report| report.differences.is_breaking())
+        changed.filter(|report| report.is_breaking())
     }
 }
 

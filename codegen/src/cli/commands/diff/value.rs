@@ -1,6 +1,6 @@
 //! What differs, for programs.
 
-use kane_codegen::report::{Body, Change, Counted, LayoutChange, ValueChange};
+use kane_codegen::report::{Body, Change, Counted, LayoutChange, Redeclared, ValueChange};
 use serde_json::{Value, json};
 
 use super::{report::Report, systems::Systems};
@@ -27,7 +27,7 @@ pub(super) fn of_report(report: &Report) -> Value {
         "old": report.names[0],
         "new": report.names[1],
         "same": report.is_same(),
-        "breaking": differences.is_breaking(),
+        "breaking": report.is_breaking(),
         "fingerprints": { "old": fingerprint(old), "new": fingerprint(new) },
         "layouts": differences.layouts.iter().map(layout).collect::<Value>(),
         "bodies": {
@@ -39,9 +39,14 @@ pub(super) fn of_report(report: &Report) -> Value {
             "changed": functions.changed.iter().map(change).collect::<Value>(),
             "added": functions.added.iter().map(function).collect::<Value>(),
             "removed": functions.removed.iter().map(function).collect::<Value>(),
+            "redeclared": report.redeclared.iter().map(redeclared).collect::<Value>(),
         },
         "diff": report.diff,
     })
+}
+
+fn redeclared(change: &Redeclared) -> Value {
+    json!({ "name": change.name, "old": change.old, "new": change.new })
 }
 
 fn layout(change: &LayoutChange) -> Value {

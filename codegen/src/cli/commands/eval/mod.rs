@@ -74,7 +74,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     changes: ChangesArguments,
 
-    /// The function, as in `kane generate --functions`
+    /// The function, as in `kane generate --functions`, or by the name that `kane.toml` gives it
     #[arg(long, short, value_name = "NAME")]
     function: String,
 
@@ -104,7 +104,7 @@ pub(crate) fn run(
         .ok()
         .map(|job| job.options.functions.requests());
     let mut functions = functions.into_iter().flatten();
-    let named = functions.find(|own| own.is_called(&arguments.function));
+    let named = functions.find(|own| own.given_name() == Some(&arguments.function));
     let function = named.map_or_else(|| options::request(&arguments.function), Ok);
     let function = failures.keep(function);
     let job = failures.keep(job);
@@ -129,7 +129,7 @@ pub(crate) fn run(
         return Err(Failures::message(needs));
     };
     let inputs = state::read(&state, tree, &function)?;
-    if function.text() != "normalize" {
+    if function.sum() != "normalize" {
         warn_of_quaternions(tree, &inputs, voice);
     }
     let mut options = job.options;
@@ -158,6 +158,10 @@ pub(crate) fn run(
     json::write(out, &value(tree, &function, &numbers, &derived.blocks))?;
     Ok(Outcome::Done)
 }
+
+/// Where it says which sums base parameters are.
+const BASE_PARAMETERS: &str = "base_parameters";
+const BASE_PARAMETER_NAMES: &str = "base_parameter_names";
 
 /// How far a quaternion's length may be from one: seven digits of its numbers.
 const UNIT_TOLERANCE: f64 = 1e-6;
@@ -208,7 +212,13 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[CompactBlo
     if written.any(|output| output.shape.has(Dimension::BaseParameters)) {
         let base = base_parameters::of(tree).iter();
         let names = base.map(|base| base_parameters::text(tree, base));
-        outputs.insert("base_parameters".to_owned(), names.collect());
+        // Values that are joined to others of one name have the function's.
+        let key = if outputs.contains_key(BASE_PARAMETERS) {
+            BASE_PARAMETER_NAMES
+        } else {
+            BASE_PARAMETERS
+        };
+        outputs.insert(key.to_owned(), names.collect());
     }
     let only = outputs.values().next().filter(|_| outputs.len() == 1);
     only.cloned().unwrap_or(Value::Object(outputs))

@@ -1,19 +1,21 @@
 //! Derivatives of accelerations: of the forces that they need, solved for column by column.
 
-use super::forces::add_mechanics;
+use super::{
+    bias::bias_of,
+    forces::add_mechanics,
+    turned::{turned_roots, turning_roots},
+};
 use crate::{
-    expr::{Expr, ExprGraph, Input, LANES, Purpose},
-    functions::{argument::Argument, formulation::Way, function::Jacobians, roots::dynamics},
-    given::{self, Accelerations, Loads, mechanics, orientation},
-    id::{BodyId, SpeedId},
+    expr::{Expr, ExprGraph, LANES},
+    functions::{argument::Argument, function::Jacobians, roots::dynamics},
+    given::{Accelerations, Loads, mechanics},
     recursive::{
         Plan, Technique,
         accelerations::inverse_mass,
         derivatives::{self, Derivatives, Wanted},
-        forces::{gravity, inverse_dynamics},
     },
     solve::{self, Carriers, Factors, Inversion, LockstepSolver, SpeedMatrix},
-    tree::{Mechanics, Tree},
+    tree::Tree,
 };
 
 /// Accelerations, the inverse of the mass matrix, and its product with columns.
@@ -59,7 +61,7 @@ pub(in crate::functions) fn mass_matrix_solve(
     let accelerations = Accelerations::Values(&u_dot);
     let needed = derivatives::of_mass_matrix_product(graph, tree, plan, accelerations);
     let columns = solve::transposed(&needed.by_q).into_iter();
-    let columns = columns.map(|own| negated(solve::product(graph, &inverse, &own)));
+    let columns = columns.map(|own| solve::negated(solve::product(graph, &inverse, &own)));
     let columns: Vec<Vec<Expr>> = columns.collect();
     Jacobians {
         by: vec![
@@ -96,7 +98,8 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
     } else {
         needed.solved(graph, &factors, net)
     };
-    for (speed, column) in turned_roots(graph, tree, &u_dot, &inverse) {
+    let roots = turning_roots(tree);
+    for (speed, column) in turned_roots(graph, tree, &roots, &u_dot, &inverse) {
         for (row, entry) in by_q.iter_mut().zip(column) {
             row[speed.index()] = entry;
         }
@@ -145,7 +148,7 @@ impl Needed<'_> {
         let u_dot = factors.solve(graph, net);
         let inverse = factors.inverse(graph, self.tree, Inversion::by(&Carriers::default()));
         let columns = self.columns_at(graph, &u_dot, Wanted::ALL).concat();
-        let negative = columns.into_iter().map(negated).collect::<Vec<_>>();
+        let negative = columns.into_iter().map(solve::negated).collect::<Vec<_>>();
         let solved = factors.solutions(graph, self.tree, &negative);
         let (by_q, by_u) = solved.split_at(self.tree.n_speeds);
         Solved {
@@ -193,11 +196,11 @@ impl Needed<'_> {
         let mut late = of_later(by_q);
         late.extend(filling.iter().map(|own| solver.unit(graph, *own)));
         let mut late = solver.solve(graph, &late).into_iter();
-        let of_q: Vec<Vec<Expr>> = late.by_ref().take(n).map(negated).collect();
+        let of_q: Vec<Vec<Expr>> = late.by_ref().take(n).map(solve::negated).collect();
         let mut of_u = solve::zero_matrix(graph, n);
         let solved = late.by_ref().take(later.len());
         for (own, column) in beside.into_iter().chain(later).zip(early.chain(solved)) {
-            of_u[own] = negated(column);
+            of_u[own] = solve::negated(column);
         }
         for (own, column) in filling.into_iter().zip(late) {
             for (row, entry) in column.into_iter().enumerate() {
@@ -211,100 +214,4 @@ impl Needed<'_> {
             by: [of_q, of_u].map(|columns| solve::transposed(&columns)),
         }
     }
-}
-
-/// The forces that bodies need where no speed changes: weight, less what lifts and the loads, and what motion needs. That is
-/// quadratic in the speeds: half of its derivatives by them, times the speeds.
-pub(super) fn bias_of(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-    loads: Loads,
-    by_u: &SpeedMatrix,
-) -> Vec<Expr> {
-    let mut bias = gravity::gravity_forces(graph, tree, plan);
-    if loads == Loads::Given {
-        let given = inverse_dynamics::generalized_forces(graph, tree, plan);
-        solve::subtract(graph, tree, &mut bias, &given);
-    }
-    graph.begin(Purpose::Forces);
-    let half = graph.number(0.5);
-    let speeds = |body: BodyId| tree.body(body).joint.speeds().into_iter();
-    for body in tree.body_ids() {
-        graph.enter(body);
-        for (_, speed) in speeds(body) {
-            let u = graph.input(Input::U(speed));
-            let u = graph.mul(half, u);
-            for (row, bias) in by_u.iter().zip(&mut bias) {
-                let term = graph.mul(row[speed.index()], u);
-                *bias = graph.add(*bias, term);
-            }
-        }
-    }
-    bias
-}
-
-/// How accelerations change as a root that floats is turned, speed by speed: with it turns all that it carries, but neither
-/// gravity nor the forces that act along its translations. None is where bodies are lifted, whose forces do not turn with it.
-///
-/// For a turn about `e` it is `M^-1` times the forces `F × e` there, and `e × (s_ddot - g)` of the translations themselves.
-fn turned_roots(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    u_dot: &[Expr],
-    inverse: &SpeedMatrix,
-) -> Vec<(SpeedId, Vec<Expr>)> {
-    let zero = Accelerations::Zero;
-    let none = vec![graph.zero(); tree.n_speeds];
-    let taken = dynamics::with_forces(graph, tree, Way::Notes, zero, none);
-    let mut net = dynamics::applied(graph, tree);
-    solve::subtract(graph, tree, &mut net, &taken);
-    let gravity = given::acting_gravity(graph, tree);
-    let mut turned = Vec::new();
-    for (body, speeds) in turning_roots(tree) {
-        graph.enter(body);
-        let joint = &tree.body(body).joint;
-        let along = joint
-            .shifts()
-            .map(|motion| motion.map_or(0, |motion| motion.speed.index()));
-        let force = along.map(|place| net[place]);
-        let to_joint = given::constant(graph, &joint.rotation);
-        let gravity = graph.mul_vector(&to_joint, gravity);
-        let falling = [0, 1, 2].map(|axis| graph.sub(u_dot[along[axis]], gravity[axis]));
-        let axes = orientation::of_joint(graph, tree, joint);
-        for (speed, e) in speeds.into_iter().zip(axes) {
-            let moved = graph.cross(force, e);
-            let mut column = Vec::with_capacity(tree.n_speeds);
-            for row in inverse {
-                let terms = [0, 1, 2].map(|axis| graph.mul(row[along[axis]], moved[axis]));
-                let sum = graph.add(terms[0], terms[1]);
-                column.push(graph.add(sum, terms[2]));
-            }
-            let carried = graph.cross(e, falling);
-            for (place, own) in along.into_iter().zip(carried) {
-                column[place] = graph.add(column[place], own);
-            }
-            turned.push((speed, column));
-        }
-    }
-    turned
-}
-
-/// The roots that move freely against the inertial frame, without rotors and alone, with the speeds of their turns.
-fn turning_roots(tree: &Tree) -> Vec<(BodyId, [SpeedId; 3])> {
-    let turning = |body: BodyId| {
-        let joint = &tree.body(body).joint;
-        let speeds = joint.angular_velocity()?;
-        let is_free = joint.translations.iter().all(|own| own.is_free());
-        let has_rotors = joint.mechanics.iter().any(Mechanics::has_rotor);
-        (tree.lower(body).is_none() && is_free && !has_rotors).then_some((body, speeds))
-    };
-    if tree.lifts_some() || tree.has_followers() {
-        return Vec::new();
-    }
-    tree.body_ids().filter_map(turning).collect()
-}
-
-pub(super) fn negated(column: Vec<Expr>) -> Vec<Expr> {
-    column.into_iter().map(|entry| -entry).collect()
 }

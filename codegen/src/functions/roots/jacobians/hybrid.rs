@@ -4,21 +4,29 @@
 //! `d(tau_p) = G_p + M_pf d(u_dot_f)`. By what is given, `M_fp` and `M_pp` take the place of `G`, and forces are solved for as they are.
 
 use super::{
-    accelerations::{bias_of, negated},
+    bias::bias_of,
     forces::add_mechanics,
+    turned::{TurningRoot, turned_roots, turning_roots},
 };
 use crate::{
     expr::{Expr, ExprGraph, Input},
-    functions::{argument::Argument, function::Jacobians, roots::dynamics},
+    functions::{
+        argument::Argument,
+        function::Jacobians,
+        roots::{dynamics, hybrid::whole},
+    },
     given::{Accelerations, Loads, mechanics},
     id::SpeedId,
     recursive::{
-        Plan,
+        Plan, Technique,
         derivatives::{self, Wanted},
     },
-    solve::{self, FreeSpeeds, Partitioned, SpeedMatrix},
+    solve::{self, FreeSpeeds, SpeedMatrix},
     tree::Tree,
 };
+
+/// Of so many speeds one may be prescribed for columns by the turns of a root to be cheaper without a solution.
+const SPEEDS_PER_PRESCRIBED: usize = 4;
 
 /// Rows are those of all accelerations, then of all forces.
 pub(in crate::functions) fn hybrid_dynamics(
@@ -27,31 +35,44 @@ pub(in crate::functions) fn hybrid_dynamics(
     plan: &Plan,
 ) -> Jacobians {
     let (zero, loads) = (Accelerations::Zero, Loads::Absent);
-    let wanted = Wanted::BY_SPEEDS_AND_ACCELERATIONS;
-    let found = derivatives::of_inverse_dynamics(graph, tree, plan, zero, loads, wanted);
+    // Columns pass twice and share what they have in common, which calls do not.
+    let in_lockstep = plan.uses(Technique::Lockstep) && plan.calls_twice();
+    let plan = &plan.with(Technique::Lockstep, in_lockstep);
+    let of_inverse_dynamics = |graph: &mut ExprGraph, given: Accelerations<'_>, wanted: Wanted| {
+        derivatives::of_inverse_dynamics(graph, tree, plan, given, loads, wanted)
+    };
+    let found = of_inverse_dynamics(graph, zero, Wanted::BY_SPEEDS_AND_ACCELERATIONS);
     let mut needed = bias_of(graph, tree, plan, loads, &found.by_u);
     mechanics::add_forces(graph, tree, zero, &mut needed);
     let mass = dynamics::with_rotors(graph, tree, found.by_u_dot);
     add_prescribed(graph, tree, &mass, &mut needed);
     let free = FreeSpeeds::new(graph, tree, mass.clone(), &tree.prescribed);
+    let net = dynamics::applied(graph, tree);
+    let partitioned = free.partitioned(graph, tree, net, &needed);
+    let values = whole(graph, tree, partitioned);
+    let u_dot = &values[..tree.n_speeds];
+    let given = Accelerations::Values(u_dot);
+    let at_given = of_inverse_dynamics(graph, given, Wanted::BY_COORDINATES);
+    let mut needed = [(Argument::Q, at_given.by_q), (Argument::U, found.by_u)];
+    add_mechanics(graph, tree, plan, zero, &mut needed);
+    let [(_, by_q), (_, by_u)] = needed;
     let columns = Columns {
         tree,
         mass: &mass,
         free: &free,
     };
-    let values = columns.values(graph, &needed);
-    let given = Accelerations::Values(&values.accelerations);
-    let found = derivatives::of_inverse_dynamics(graph, tree, plan, given, loads, Wanted::ALL);
-    let mut by = vec![(Argument::Q, found.by_q), (Argument::U, found.by_u)];
-    add_mechanics(graph, tree, plan, zero, &mut by);
-    let by = by.into_iter();
-    let by = by.map(|(argument, matrix)| (argument, columns.of_needed(graph, &matrix)));
-    let mut by: Vec<(Argument, SpeedMatrix)> = by.collect();
-    by.push((Argument::UDot, columns.by_accelerations(graph)));
-    by.push((Argument::Tau, columns.by_forces(graph)));
+    let by_u_dot = columns.by_accelerations(graph);
+    let mut by_tau = columns.by_forces(graph, &by_u_dot);
+    let by_q = columns.by_coordinates(graph, by_q, u_dot, &by_tau);
+    columns.copy_given(graph, &mut by_tau);
     Jacobians {
-        by,
-        values: Some([values.accelerations, values.forces].concat()),
+        by: vec![
+            (Argument::Q, by_q),
+            (Argument::U, columns.of_needed(graph, &by_u)),
+            (Argument::UDot, by_u_dot),
+            (Argument::Tau, by_tau),
+        ],
+        values: Some(values),
         mass: Some(mass),
     }
 }
@@ -69,6 +90,9 @@ fn add_prescribed(graph: &mut ExprGraph, tree: &Tree, mass: &SpeedMatrix, needed
     }
 }
 
+/// A row for each acceleration, then for each force.
+type Rows = Vec<Vec<Expr>>;
+
 /// What makes the columns of derivatives.
 struct Columns<'a> {
     tree: &'a Tree,
@@ -77,26 +101,39 @@ struct Columns<'a> {
 }
 
 impl Columns<'_> {
-    /// All accelerations and forces, what is given among them.
-    fn values(&self, graph: &mut ExprGraph, needed: &[Expr]) -> Partitioned {
-        let Self { tree, free, .. } = self;
-        let mut net = dynamics::applied(graph, tree);
-        let mut whole = net.clone();
-        solve::subtract(graph, tree, &mut net, needed);
-        let mut accelerations = free.solve(graph, net);
-        let forces = free.forces(graph, tree, needed, &accelerations);
-        for speed in &tree.prescribed {
-            accelerations[speed.index()] = graph.input(Input::UDot(*speed));
-            whole[speed.index()] = forces[speed.index()];
+    /// By coordinates, of which some are known without a solution where roots float freely.
+    fn by_coordinates(
+        &self,
+        graph: &mut ExprGraph,
+        mut needed: SpeedMatrix,
+        u_dot: &[Expr],
+        by_forces: &Rows,
+    ) -> Rows {
+        let prescribed = &self.tree.prescribed;
+        let is_free = |(body, _): &TurningRoot| {
+            let mut speeds = self.tree.body(*body).joint.speeds().into_iter();
+            speeds.all(|(_, speed)| !prescribed.contains(&speed))
+        };
+        // What forces make of prescribed motions has to be found for it.
+        let is_worth_it = prescribed.len() * SPEEDS_PER_PRESCRIBED <= self.tree.n_speeds;
+        let mut roots = turning_roots(self.tree);
+        roots.retain(|root| is_worth_it && is_free(root));
+        for speed in roots.iter().flat_map(|(_, speeds)| speeds) {
+            for row in &mut needed {
+                row[speed.index()] = graph.zero();
+            }
         }
-        Partitioned {
-            accelerations,
-            forces: whole,
+        let mut found = self.of_needed(graph, &needed);
+        for (speed, column) in turned_roots(graph, self.tree, &roots, u_dot, by_forces) {
+            for (row, entry) in found.iter_mut().zip(column) {
+                row[speed.index()] = entry;
+            }
         }
+        found
     }
 
     /// By what changes the needed forces so.
-    fn of_needed(&self, graph: &mut ExprGraph, needed: &SpeedMatrix) -> SpeedMatrix {
+    fn of_needed(&self, graph: &mut ExprGraph, needed: &SpeedMatrix) -> Rows {
         let columns = solve::transposed(needed);
         let accelerations = self.accelerations(graph, &columns);
         let columns = columns.iter().zip(accelerations);
@@ -104,11 +141,11 @@ impl Columns<'_> {
             let forces = self.free.forces(graph, self.tree, needed, &accelerations);
             [accelerations, forces].concat()
         });
-        solve::transposed(&columns.collect::<Vec<_>>())
+        solve::transposed(&columns.collect::<Rows>())
     }
 
     /// By the given accelerations.
-    fn by_accelerations(&self, graph: &mut ExprGraph) -> SpeedMatrix {
+    fn by_accelerations(&self, graph: &mut ExprGraph) -> Rows {
         let n = self.tree.n_speeds;
         let prescribed: Vec<SpeedId> = self.tree.prescribed.iter().copied().collect();
         let columns = prescribed.iter().map(|own| self.mass[own.index()].clone());
@@ -132,36 +169,35 @@ impl Columns<'_> {
         found
     }
 
-    /// By the given forces: how the others change with these mirrors how accelerations change with given ones.
-    fn by_forces(&self, graph: &mut ExprGraph) -> SpeedMatrix {
+    /// What the given forces make, which are not among it: how the others change with these mirrors how accelerations change with given
+    /// ones.
+    fn by_forces(&self, graph: &mut ExprGraph, by_accelerations: &Rows) -> Rows {
         let n = self.tree.n_speeds;
         let mut found = self.free.inverse(graph, self.tree);
-        let mirrored = self.by_accelerations(graph);
         found.extend(vec![vec![graph.zero(); n]; n]);
-        for own in (0..n).map(SpeedId::new) {
-            if !self.tree.prescribed.contains(&own) {
-                found[n + own.index()][own.index()] = graph.one();
-                continue;
-            }
+        for own in self.tree.prescribed.iter().map(|own| own.index()) {
             for other in (0..n).map(SpeedId::new) {
                 if !self.tree.prescribed.contains(&other) {
-                    found[n + own.index()][other.index()] = -mirrored[other.index()][own.index()];
+                    found[n + own][other.index()] = -by_accelerations[other.index()][own];
                 }
             }
         }
         found
     }
 
+    /// Adds the given forces to what they make.
+    fn copy_given(&self, graph: &mut ExprGraph, by_forces: &mut Rows) {
+        let n = self.tree.n_speeds;
+        for own in (0..n).map(SpeedId::new) {
+            if !self.tree.prescribed.contains(&own) {
+                by_forces[n + own.index()][own.index()] = graph.one();
+            }
+        }
+    }
+
     /// `-M_ff^-1` times the rows of the free speeds.
     fn accelerations(&self, graph: &mut ExprGraph, columns: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
-        let negative = columns.iter().map(|column| {
-            let mut column = negated(column.clone());
-            for own in &self.tree.prescribed {
-                column[own.index()] = graph.zero();
-            }
-            column
-        });
-        let negative: Vec<Vec<Expr>> = negative.collect();
-        self.free.solutions(graph, self.tree, &negative)
+        let negative = columns.iter().cloned().map(solve::negated);
+        self.free.solutions(graph, self.tree, negative.collect())
     }
 }

@@ -1,5 +1,7 @@
 //! Derivatives of dynamics in a way of their own, a matrix for each variable.
 
 pub(in crate::functions) mod accelerations;
+mod bias;
 pub(in crate::functions) mod forces;
 pub(in crate::functions) mod hybrid;
+mod turned;
