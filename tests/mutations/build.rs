@@ -80,7 +80,9 @@ impl System {
         let module = fs::read_to_string(build.name(name).with_tests().run()?)?;
         let tests = fs::read_to_string(out()?.join(format!("{name}_tests.rs")))?;
         // They stand inside their module, not beside it.
+        let tests = tests.replace(&format!("use super::{name} as module;\n"), "");
         let tests = tests.replace(&format!("use super::{name}::*;\n"), "");
+        let tests = tests.replace("module::", "super::");
         Ok(Self {
             name,
             module,

@@ -288,7 +288,7 @@ fn tests_of_functions_with_names_are_those_of_the_functions() {
     };
     // Names that the tests have for other things.
     let named = tests("system = forward_dynamics, p = inverse_dynamics");
-    for called in ["super::own::system(", "super::own::p("] {
+    for called in ["module::system(", "module::p("] {
         assert!(named.contains(called), "{called}");
     }
     let law = "fn forward_undoes_inverse()";

@@ -5,6 +5,7 @@
     clippy::pedantic,
     clippy::restriction,
     missing_docs,
+    unused_imports,
     unused_parens,
     unused_variables,
     dead_code,

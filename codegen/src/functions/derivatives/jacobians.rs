@@ -12,7 +12,7 @@ use crate::{
         argument::Argument,
         derived::Derived,
         formulation::Formulation,
-        function::Jacobians,
+        function::{Jacobians, JacobiansFn},
         part::Part,
         told::{KnownMatrix, Told},
         variable::Variable,
@@ -30,22 +30,18 @@ pub(in crate::functions) fn is_known(variable: &Variable) -> bool {
 }
 
 impl Part {
-    /// Derives all matrices, where the function has a way for one of them; else nothing. The values, where they were needed.
+    /// Derives all matrices, those that the function has a way for and others beside. The values, where they were needed.
     pub(in crate::functions) fn derive_matrices(
         &self,
         derived: &mut Derived,
         tree: &Tree,
-        formulation: Formulation,
-        plan: &Plan,
-    ) -> Option<Jacobians> {
-        let (derivative, jacobians) = (self.derivative.as_ref()?, self.function.derivatives?);
-        let (known, others): (Vec<&Variable>, Vec<&Variable>) =
-            derivative.by.iter().partition(|by| is_known(by));
-        if known.is_empty() {
-            return None;
-        }
+        (formulation, plan): (Formulation, &Plan),
+        jacobians: JacobiansFn,
+    ) -> Jacobians {
+        let derivative = self.differentiated();
+        let others = derivative.by.iter().filter(|by| !is_known(by));
+        let others = others.cloned().collect();
         let told = jacobians(&mut derived.graph, tree, plan);
-        let others = others.into_iter().cloned().collect();
         let others = Derivative::new(DerivativeKind::Jacobian, others);
         let mut others = self
             .matrices_of_others(derived, tree, (formulation, plan), others, &told)
@@ -58,19 +54,7 @@ impl Part {
         let found: Vec<Matrix> = found.collect();
         let sizes = self.output_sizes(tree);
         derived.put(&sizes, &found, self.sparsity(tree).as_deref());
-        Some(told)
-    }
-
-    /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, second ones, and
-    /// those of forces by what that way does not know. By that, accelerations are solved for.
-    pub(in crate::functions) fn is_swept_beside_direct(&self) -> bool {
-        let is_solved_for = self.function.inverse_dynamics.is_some();
-        let is_swept = |derivative: &Derivative| {
-            !self.has_direct_derivatives()
-                || derivative.kind == DerivativeKind::Hessian
-                || !is_solved_for && !derivative.by.iter().all(is_known)
-        };
-        self.derivative.as_ref().is_some_and(is_swept)
+        told
     }
 
     /// Those by other variables, beside what is told.

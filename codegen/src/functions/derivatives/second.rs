@@ -17,7 +17,7 @@ use crate::{
         derived::Derived,
         formulation::Formulation,
         function::{InverseDynamicsFn, Jacobians},
-        part::Part,
+        part::{Part, Route},
         told::Told,
         variable::Variable,
     },
@@ -61,9 +61,9 @@ impl Part {
         derived: &mut Derived,
         tree: &Tree,
         (formulation, plan): (Formulation, &Plan),
-        derivative: &Derivative,
         inverse_dynamics: InverseDynamicsFn,
     ) -> Told {
+        let derivative = self.differentiated();
         let sparsity = self.sparsity(tree);
         let places = sparsity.as_ref().map_or(&[][..], |own| &own.places);
         let multipliers = derivative.arguments(self.function.outputs, 0);
@@ -107,10 +107,12 @@ impl Part {
             ..self.clone()
         };
         let begin = derived.roots.len();
-        let told = part.derive_matrices(derived, tree, formulation, plan);
-        if told.is_none() {
+        let told = if let Route::Matrices(jacobians) = part.route(tree, formulation, plan) {
+            Some(part.derive_matrices(derived, tree, (formulation, plan), jacobians))
+        } else {
             part.derive_in(derived, tree, formulation, plan);
-        }
+            None
+        };
         let entries = derived.roots.split_off(begin);
         let mut rest = &entries[..];
         let mut rows = vec![Vec::new(); tree.n_speeds];

@@ -1,14 +1,15 @@
 //! From a part to the expressions of its outputs.
 
-use super::Part;
+use super::{Part, route::Route};
 use crate::{
     functions::{
         derivatives::{
-            derivative::{Asked, sweep},
+            derivative::{Asked, Derivative, sweep},
             solved::Solution,
         },
         derived::Derived,
         formulation::Formulation,
+        function::InverseDynamicsFn,
         told::Told,
     },
     recursive::{Plan, Technique},
@@ -18,7 +19,7 @@ use crate::{
 impl Part {
     /// By what it is derived. The recursion relies on rotations being orthonormal, which they are not where an entry changes
     /// alone.
-    fn formulation(&self, tree: &Tree, wanted: Formulation) -> Formulation {
+    pub(super) fn formulation(&self, tree: &Tree, wanted: Formulation) -> Formulation {
         if self.function.formulations().contains(&wanted) && !self.is_by_turn(tree) {
             wanted
         } else {
@@ -64,48 +65,56 @@ impl Part {
         formulation: Formulation,
         plan: &Plan,
     ) -> Told {
-        let first = derived.roots.len();
-        let is_direct = self.formulation(tree, formulation) == Formulation::Recursive
-            && plan.uses(Technique::DirectDerivatives);
-        if is_direct
-            && self.is_whole_derivative()
-            && let Some(told) = self.derive_matrices(derived, tree, formulation, plan)
-        {
-            let function = self.function;
-            return told.into_told(self.values().name(), function.derivatives_tell);
-        }
-        if is_direct
-            && let Some(derivative) = self.second_derivative()
-            && let Some(forces) = self.function.inverse_dynamics
-        {
-            let by = (formulation, plan);
-            return self.derive_second(derived, tree, by, derivative, forces);
-        }
-        // No sweep goes through calls.
-        let is_swept = self.derivative.is_some();
-        let one_by_one = is_swept.then(|| plan.with(Technique::Lockstep, false));
-        let plan = one_by_one.as_ref().unwrap_or(plan);
-        self.derive_values(derived, tree, formulation, plan);
-        if let Some(derivative) = &self.derivative {
-            let sizes = self.output_sizes(tree);
-            let multipliers = derivative.arguments(self.function.outputs, self.subject_length());
-            let values = derived.roots.split_off(first);
-            let sparsity = self.sparsity(tree);
-            let asked = Asked {
-                multipliers: &multipliers,
-                sparsity: sparsity.as_deref(),
-            };
-            if is_direct && let Some(inverse_dynamics) = self.function.inverse_dynamics {
-                let solution = Solution {
-                    u_dot: &values,
-                    inverse_dynamics,
-                };
-                derivative.apply_to_solution(derived, tree, plan, &solution, asked);
-                return Told::default();
+        let by = (formulation, plan);
+        match self.route(tree, formulation, plan) {
+            Route::Values => self.derive_values(derived, tree, formulation, plan),
+            Route::Matrices(jacobians) => {
+                let found = self.derive_matrices(derived, tree, by, jacobians);
+                let matrices = self.function.derivatives_tell;
+                return found.into_told(self.values().name(), matrices);
             }
-            derivative.apply(derived, tree, &values, &sizes, sweep(plan), asked);
+            Route::Second(forces) => return self.derive_second(derived, tree, by, forces),
+            Route::Solved(forces) => self.derive_swept(derived, tree, by, Some(forces)),
+            Route::Swept => self.derive_swept(derived, tree, by, None),
         }
         Told::default()
+    }
+
+    /// Derivatives by sweeps over the values; where these are accelerations that need such forces, over the forces.
+    fn derive_swept(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        (formulation, plan): (Formulation, &Plan),
+        forces: Option<InverseDynamicsFn>,
+    ) {
+        // No sweep goes through calls.
+        let plan = &plan.with(Technique::Lockstep, false);
+        let first = derived.roots.len();
+        self.derive_values(derived, tree, formulation, plan);
+        let values = derived.roots.split_off(first);
+        let derivative = self.differentiated();
+        let multipliers = derivative.arguments(self.function.outputs, self.subject_length());
+        let sparsity = self.sparsity(tree);
+        let asked = Asked {
+            multipliers: &multipliers,
+            sparsity: sparsity.as_deref(),
+        };
+        if let Some(inverse_dynamics) = forces {
+            let solution = Solution {
+                u_dot: &values,
+                inverse_dynamics,
+            };
+            return derivative.apply_to_solution(derived, tree, plan, &solution, asked);
+        }
+        let sizes = self.output_sizes(tree);
+        derivative.apply(derived, tree, &values, &sizes, sweep(plan), asked);
+    }
+
+    /// The derivative that it is.
+    pub(in crate::functions) fn differentiated(&self) -> &Derivative {
+        let derivative = self.derivative.as_ref();
+        derivative.expect("functions: a route of derivatives is of one")
     }
 
     /// The same where others ask for what its recursion finds beside its entries.

@@ -2,6 +2,7 @@
 
 mod derive;
 mod doc;
+mod route;
 mod rows;
 mod size;
 mod told;
@@ -23,6 +24,7 @@ use super::{
 };
 use crate::{base_parameters, recursive::Plan, tree::Tree};
 
+pub(super) use route::Route;
 pub use rows::Rows;
 
 /// What stands behind a frame whose own axes are meant.
@@ -130,23 +132,6 @@ impl Part {
         }
     }
 
-    /// True where all derivatives are asked for, as the function's composite bodies give them.
-    pub(super) fn is_whole_derivative(&self) -> bool {
-        let mut derivative = self.derivative.iter();
-        derivative.any(|derivative| {
-            matches!(
-                derivative.kind,
-                DerivativeKind::Jacobian | DerivativeKind::PackedJacobian
-            )
-        })
-    }
-
-    /// True where its derivatives have a way of their own, beside the sweeps.
-    pub(super) fn has_direct_derivatives(&self) -> bool {
-        self.derivative.is_some() && self.function.inverse_dynamics.is_some()
-            || self.is_whole_derivative() && self.function.derivatives.is_some()
-    }
-
     /// True where entries are left out that the tree makes zero.
     pub(super) fn is_packed(&self) -> bool {
         let mut outputs = self.outputs().into_owned().into_iter();
@@ -155,13 +140,8 @@ impl Part {
 
     /// True where second derivatives are asked for.
     pub(super) fn is_second_derivative(&self) -> bool {
-        self.second_derivative().is_some()
-    }
-
-    /// The derivative, if it is a second one.
-    fn second_derivative(&self) -> Option<&Derivative> {
         let derivative = self.derivative.as_ref();
-        derivative.filter(|derivative| derivative.kind == DerivativeKind::Hessian)
+        derivative.is_some_and(|derivative| derivative.kind == DerivativeKind::Hessian)
     }
 
     /// Which entries of a packed derivative it writes; `None` where it is none.

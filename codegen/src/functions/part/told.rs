@@ -1,11 +1,11 @@
 //! What parts of a joined function tell one another.
 
-use super::Part;
+use super::{Part, Route};
 use crate::{
     expr::{Expr, ExprGraph},
     functions::{
-        derivatives::{derivative::Derivative, jacobians},
-        told::{ReadOff, Told},
+        derivatives::jacobians::is_known,
+        told::{KnownMatrix, ReadOff, Told},
     },
     recursive::Plan,
     tree::Tree,
@@ -17,29 +17,30 @@ impl Part {
         if other.function.read_off.is_some() {
             return self.finds_matrix_of(other);
         }
-        let tells = self.is_whole_derivative() && self.function.derivatives.is_some()
-            || self.is_second_derivative() && self.function.inverse_dynamics.is_some();
+        let route = self.direct_route();
+        let tells = matches!(route, Some(Route::Matrices(_) | Route::Second(_)));
         tells && other.derivative.is_none() && self.values().name() == other.name()
     }
 
     /// True where the other one may be read off a matrix that this part finds.
     pub(in crate::functions) fn finds_matrix_of(&self, other: &Self) -> bool {
-        let Some(ReadOff { matrix, .. }) = &other.function.read_off else {
-            return false;
-        };
-        let function = self.function;
-        let found = match &self.derivative {
-            None => function.beside.map_or(&[][..], |own| own.matrices),
-            Some(derivative) if self.finds_matrices(derivative) => function.derivatives_tell,
-            Some(_) => &[],
-        };
-        other.derivative.is_none() && found.contains(matrix)
+        let read_off = other.function.read_off.as_ref();
+        let read_off = read_off.filter(|_| other.derivative.is_none());
+        read_off.is_some_and(|own| self.finds().contains(&own.matrix))
     }
 
-    /// True where its derivatives come from matrices, its own or those that second ones are made of.
-    fn finds_matrices(&self, derivative: &Derivative) -> bool {
-        let is_second = self.is_second_derivative() && self.function.inverse_dynamics.is_some();
-        (self.is_whole_derivative() || is_second) && derivative.by.iter().any(jacobians::is_known)
+    /// The matrices that it may find beside its entries. Second derivatives find those of first ones.
+    fn finds(&self) -> &'static [KnownMatrix] {
+        let function = self.function;
+        let Some(derivative) = &self.derivative else {
+            return function.beside.map_or(&[][..], |own| own.matrices);
+        };
+        match self.direct_route() {
+            Some(Route::Matrices(_) | Route::Second(_)) if derivative.by.iter().any(is_known) => {
+                function.derivatives_tell
+            }
+            _ => &[],
+        }
     }
 
     /// Its entries, if others told them. `is_read_off`: they may be read off a matrix.

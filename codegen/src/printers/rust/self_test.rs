@@ -30,10 +30,14 @@ pub(crate) fn self_tests(
         format!("// Tests of the module `{name}`: `mod {name}; #[cfg(test)] mod {name}_tests;`.\n");
     text.push_str(&what);
     let name = ident(name);
-    let mut items = vec![parse_quote!(use super::#name::*;)];
+    // Called by its path, a function may have the name of anything that stands here.
+    let mut items = vec![
+        parse_quote!(use super::#name as module;),
+        parse_quote!(use super::#name::*;),
+    ];
     items.extend(states(module, samples));
     let sampled = module.functions.iter().zip(functions);
-    items.extend(sampled.map(|(function, sampled)| values(&name, function, sampled)));
+    items.extend(sampled.map(|(function, sampled)| values(function, sampled)));
     items.extend(identities(module));
     text + &printed(items)
 }
@@ -128,7 +132,7 @@ fn systems(facts: &Facts, samples: &[Sample]) -> Vec<Item> {
 }
 
 /// The test that a function has its values.
-fn values(module: &Ident, function: &Function, sampled: &Sampled) -> Item {
+fn values(function: &Function, sampled: &Sampled) -> Item {
     let name = &function.signature.name;
     let (test, call) = (format_ident!("{name}_has_its_values"), ident(name));
     let places: Vec<Expr> = (0..sampled.lengths.len()).map(syntax::integer).collect();
@@ -185,7 +189,7 @@ fn values(module: &Ident, function: &Function, sampled: &Sampled) -> Item {
                 let p = system(place);
                 #sines
                 let mut outputs = (#(#empty,)*);
-                super::#module::#call(&p, #(#given,)* #(&mut outputs.#places),*);
+                module::#call(&p, #(#given,)* #(&mut outputs.#places),*);
                 #(kane::self_test::has_values(#name, #found, #entries, &expected.#places)?;)*
             }
             Ok(())

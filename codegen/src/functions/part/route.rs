@@ -1,0 +1,83 @@
+//! By which way a part is derived, from what is asked for and what its function knows: chosen in one place.
+
+use super::Part;
+use crate::{
+    functions::{
+        derivatives::{derivative::DerivativeKind, jacobians::is_known},
+        formulation::Formulation,
+        function::{InverseDynamicsFn, JacobiansFn},
+    },
+    recursive::{Plan, Technique},
+    tree::Tree,
+};
+
+/// A way to derive a part.
+pub(in crate::functions) enum Route {
+    /// It is values.
+    Values,
+    /// Values are swept over.
+    Swept,
+    /// Whole derivatives of dynamics, in a way of their own.
+    Matrices(JacobiansFn),
+    /// Second derivatives of accelerations, by the forces that these need.
+    Second(InverseDynamicsFn),
+    /// Products with derivatives of accelerations, or all of them by what `Matrices` does not know: one solution more, or one for each
+    /// column.
+    Solved(InverseDynamicsFn),
+}
+
+impl Part {
+    /// The way in this formulation by this plan.
+    pub(in crate::functions) fn route(
+        &self,
+        tree: &Tree,
+        formulation: Formulation,
+        plan: &Plan,
+    ) -> Route {
+        if self.derivative.is_none() {
+            return Route::Values;
+        }
+        let is_direct = self.formulation(tree, formulation) == Formulation::Recursive
+            && plan.uses(Technique::DirectDerivatives);
+        let direct = self.direct_route().filter(|_| is_direct);
+        direct.unwrap_or(Route::Swept)
+    }
+
+    /// The way to derivatives that sweeps over no values of solvers, and where it can be over no values at all.
+    pub(in crate::functions) fn direct_route(&self) -> Option<Route> {
+        let derivative = self.derivative.as_ref()?;
+        let whole = [DerivativeKind::Jacobian, DerivativeKind::PackedJacobian];
+        if let Some(jacobians) = self.function.derivatives
+            && whole.contains(&derivative.kind)
+            && derivative.by.iter().any(is_known)
+        {
+            return Some(Route::Matrices(jacobians));
+        }
+        let forces = self.function.inverse_dynamics?;
+        Some(match derivative.kind {
+            DerivativeKind::Hessian => Route::Second(forces),
+            _ => Route::Solved(forces),
+        })
+    }
+
+    /// True where derivatives have a way of their own, beside the sweeps.
+    pub(in crate::functions) fn has_direct_derivatives(&self) -> bool {
+        self.direct_route().is_some()
+    }
+
+    /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, second ones, and
+    /// those of forces by what that way does not know. By that, accelerations are solved for.
+    pub(in crate::functions) fn is_swept_beside_direct(&self) -> bool {
+        let Some(derivative) = &self.derivative else {
+            return false;
+        };
+        match self.direct_route() {
+            None | Some(Route::Values | Route::Swept | Route::Second(_)) => true,
+            Some(Route::Matrices(_)) => {
+                let is_solved_for = self.function.inverse_dynamics.is_some();
+                !is_solved_for && !derivative.by.iter().all(is_known)
+            }
+            Some(Route::Solved(_)) => false,
+        }
+    }
+}
