@@ -69,16 +69,11 @@ impl Request {
                 let plan = plan.with(Technique::DirectDerivatives, false);
                 return plan.with(Technique::Reverse, false);
             }
-            let sweep = if has_several {
-                part.one_row_sweep(tree)
-            } else {
-                None
-            };
-            let is_reverse = sweep.map(|sweep| sweep == Sweep::Reverse);
-            is_reverse.map_or_else(
-                || plan.clone(),
-                |is_reverse| plan.with(Technique::Reverse, is_reverse),
-            )
+            let sweep = has_several.then(|| part.one_row_sweep(tree)).flatten();
+            match sweep {
+                Some(sweep) => plan.with(Technique::Reverse, sweep == Sweep::Reverse),
+                None => plan.clone(),
+            }
         };
         Arrangement::new(self.parts().iter().map(of_part))
     }
