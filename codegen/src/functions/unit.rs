@@ -27,8 +27,8 @@ pub enum Unit {
     BySpeed(BySpeed),
     /// By the coordinate to which an entry belongs: an angle, a translation, a part of a quaternion.
     ByCoordinate([&'static str; 3]),
-    /// As [`Self::Of`], of derivatives.
-    Quotients(Vec<String>),
+    /// As [`Self::Of`], where they follow from a model or from others.
+    Derived(Vec<String>),
 }
 
 impl Unit {
@@ -47,7 +47,7 @@ impl Unit {
             Self::Of(all) => all.to_vec(),
             Self::BySpeed(all) => all.to_vec(),
             Self::ByCoordinate(all) => all.to_vec(),
-            Self::Quotients(all) => all.iter().map(String::as_str).collect(),
+            Self::Derived(all) => all.iter().map(String::as_str).collect(),
         }
     }
 
@@ -60,7 +60,7 @@ impl Unit {
             Self::ByCoordinate([angle, shift, quaternion]) => {
                 format!("{angle} and {shift}; {quaternion} in quaternions")
             }
-            Self::Of(_) | Self::Quotients(_) => match &self.all()[..] {
+            Self::Of(_) | Self::Derived(_) => match &self.all()[..] {
                 ["1"] => String::new(),
                 [one, other] => format!("{one} and {other}"),
                 all => all.join(", "),
@@ -79,7 +79,7 @@ impl Unit {
                 }
             }
         }
-        Self::Quotients(known)
+        Self::Derived(known)
     }
 }
 

@@ -27,8 +27,8 @@ pub(crate) struct OptionsArguments {
     /// The functions, comma-separated; `all` for every function of the system, `default` for the default set
     ///
     /// `kane info MODEL --functions all` lists the functions of the system. `mass_matrix+bias` is one function that computes both, and
-    /// `step = mass_matrix+bias` names it; `bias(sin_cos)` takes the sines and cosines of the angles as inputs. `q_dot`, and with quaternions `normalize`, are always
-    /// generated: the trait `kane::System` needs them.
+    /// `step = mass_matrix+bias` names it; `bias(sin_cos)` takes the sines and cosines of the angles as inputs. `q_dot`, and with
+    /// quaternions `normalize`, are always generated: the trait `kane::System` needs them.
     #[arg(long, value_name = "A,B", requires = "model")]
     functions: Option<Vec<String>>,
 

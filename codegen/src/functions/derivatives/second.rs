@@ -17,7 +17,7 @@ use crate::{
         derived::Derived,
         formulation::Formulation,
         function::{InverseDynamicsFn, Jacobians},
-        part::{Part, Route},
+        part::{Direct, Part},
         told::Told,
         variable::Variable,
     },
@@ -107,12 +107,13 @@ impl Part {
             ..self.clone()
         };
         let begin = derived.roots.len();
-        let told = if let Route::Matrices(jacobians) = part.route(tree, formulation, plan) {
-            Some(part.derive_matrices(derived, tree, (formulation, plan), jacobians))
-        } else {
-            part.derive_in(derived, tree, formulation, plan);
-            None
-        };
+        let told =
+            if let Some(Direct::Matrices(jacobians)) = part.direct_by(tree, formulation, plan) {
+                Some(part.derive_matrices(derived, tree, (formulation, plan), jacobians))
+            } else {
+                part.derive_in(derived, tree, formulation, plan);
+                None
+            };
         let entries = derived.roots.split_off(begin);
         let mut rest = &entries[..];
         let mut rows = vec![Vec::new(); tree.n_speeds];

@@ -1,6 +1,9 @@
 //! From a part to the expressions of its outputs.
 
-use super::{Part, route::Route};
+use super::{
+    Part,
+    route::{Direct, Route},
+};
 use crate::{
     functions::{
         derivatives::{
@@ -68,14 +71,18 @@ impl Part {
         let by = (formulation, plan);
         match self.route(tree, formulation, plan) {
             Route::Values => self.derive_values(derived, tree, formulation, plan),
-            Route::Matrices(jacobians) => {
+            Route::Swept => self.derive_swept(derived, tree, by, None),
+            Route::Direct(Direct::Matrices(jacobians)) => {
                 let found = self.derive_matrices(derived, tree, by, jacobians);
                 let matrices = self.function.derivatives_tell;
                 return found.into_told(self.values().name(), matrices);
             }
-            Route::Second(forces) => return self.derive_second(derived, tree, by, forces),
-            Route::Solved(forces) => self.derive_swept(derived, tree, by, Some(forces)),
-            Route::Swept => self.derive_swept(derived, tree, by, None),
+            Route::Direct(Direct::Second(forces)) => {
+                return self.derive_second(derived, tree, by, forces);
+            }
+            Route::Direct(Direct::Solved(forces)) => {
+                self.derive_swept(derived, tree, by, Some(forces));
+            }
         }
         Told::default()
     }

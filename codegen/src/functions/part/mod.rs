@@ -24,7 +24,7 @@ use super::{
 };
 use crate::{base_parameters, recursive::Plan, tree::Tree};
 
-pub(super) use route::Route;
+pub(super) use route::Direct;
 pub use rows::Rows;
 
 /// What stands behind a frame whose own axes are meant.

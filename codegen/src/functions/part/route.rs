@@ -12,12 +12,18 @@ use crate::{
 };
 
 /// A way to derive a part.
-pub(in crate::functions) enum Route {
+pub(super) enum Route {
     /// It is values.
     Values,
     /// Values are swept over.
     Swept,
-    /// Whole derivatives of dynamics, in a way of their own.
+    /// Derivatives of dynamics have a way of their own.
+    Direct(Direct),
+}
+
+/// A way to derivatives of dynamics in which no sweep goes through a solver.
+pub(in crate::functions) enum Direct {
+    /// All of them, from composite bodies.
     Matrices(JacobiansFn),
     /// Second derivatives of accelerations, by the forces that these need.
     Second(InverseDynamicsFn),
@@ -28,41 +34,46 @@ pub(in crate::functions) enum Route {
 
 impl Part {
     /// The way in this formulation by this plan.
-    pub(in crate::functions) fn route(
+    pub(super) fn route(&self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Route {
+        if self.derivative.is_none() {
+            return Route::Values;
+        }
+        let direct = self.direct_by(tree, formulation, plan);
+        direct.map_or(Route::Swept, Route::Direct)
+    }
+
+    /// The direct way, where this formulation and this plan take it.
+    pub(in crate::functions) fn direct_by(
         &self,
         tree: &Tree,
         formulation: Formulation,
         plan: &Plan,
-    ) -> Route {
-        if self.derivative.is_none() {
-            return Route::Values;
-        }
+    ) -> Option<Direct> {
         let is_direct = self.formulation(tree, formulation) == Formulation::Recursive
             && plan.uses(Technique::DirectDerivatives);
-        let direct = self.direct_route().filter(|_| is_direct);
-        direct.unwrap_or(Route::Swept)
+        self.direct().filter(|_| is_direct)
     }
 
-    /// The way to derivatives that sweeps over no values of solvers, and where it can be over no values at all.
-    pub(in crate::functions) fn direct_route(&self) -> Option<Route> {
+    /// The direct way, if there is one.
+    pub(super) fn direct(&self) -> Option<Direct> {
         let derivative = self.derivative.as_ref()?;
         let whole = [DerivativeKind::Jacobian, DerivativeKind::PackedJacobian];
         if let Some(jacobians) = self.function.derivatives
             && whole.contains(&derivative.kind)
             && derivative.by.iter().any(is_known)
         {
-            return Some(Route::Matrices(jacobians));
+            return Some(Direct::Matrices(jacobians));
         }
         let forces = self.function.inverse_dynamics?;
         Some(match derivative.kind {
-            DerivativeKind::Hessian => Route::Second(forces),
-            _ => Route::Solved(forces),
+            DerivativeKind::Hessian => Direct::Second(forces),
+            _ => Direct::Solved(forces),
         })
     }
 
     /// True where derivatives have a way of their own, beside the sweeps.
     pub(in crate::functions) fn has_direct_derivatives(&self) -> bool {
-        self.direct_route().is_some()
+        self.direct().is_some()
     }
 
     /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, second ones, and
@@ -71,13 +82,13 @@ impl Part {
         let Some(derivative) = &self.derivative else {
             return false;
         };
-        match self.direct_route() {
-            None | Some(Route::Values | Route::Swept | Route::Second(_)) => true,
-            Some(Route::Matrices(_)) => {
+        match self.direct() {
+            None | Some(Direct::Second(_)) => true,
+            Some(Direct::Matrices(_)) => {
                 let is_solved_for = self.function.inverse_dynamics.is_some();
                 !is_solved_for && !derivative.by.iter().all(is_known)
             }
-            Some(Route::Solved(_)) => false,
+            Some(Direct::Solved(_)) => false,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What parts of a joined function tell one another.
 
-use super::{Part, Route};
+use super::{Direct, Part};
 use crate::{
     expr::{Expr, ExprGraph},
     functions::{
@@ -17,8 +17,8 @@ impl Part {
         if other.function.read_off.is_some() {
             return self.finds_matrix_of(other);
         }
-        let route = self.direct_route();
-        let tells = matches!(route, Some(Route::Matrices(_) | Route::Second(_)));
+        let direct = self.direct();
+        let tells = matches!(direct, Some(Direct::Matrices(_) | Direct::Second(_)));
         tells && other.derivative.is_none() && self.values().name() == other.name()
     }
 
@@ -35,8 +35,8 @@ impl Part {
         let Some(derivative) = &self.derivative else {
             return function.beside.map_or(&[][..], |own| own.matrices);
         };
-        match self.direct_route() {
-            Some(Route::Matrices(_) | Route::Second(_)) if derivative.by.iter().any(is_known) => {
+        match self.direct() {
+            Some(Direct::Matrices(_) | Direct::Second(_)) if derivative.by.iter().any(is_known) => {
                 function.derivatives_tell
             }
             _ => &[],

@@ -84,18 +84,9 @@ name = "table"
 position = [1.0, 2.0, 3.0]
 "#;
 
-/// A project with this model, and its manifest; `more` are further lines of `kane.toml`.
-fn generated(name: &str, model: &str, more: &str) -> (Project, Value) {
-    let project = Project::empty();
-    project.write(name, model);
-    let config = format!(
-        "[[system]]\nmodel = \"{name}\"\noutput = \"robot.rs\"\nmanifest = true\nfunctions = [\"q_dot\"]\n{more}"
-    );
-    project.write("kane.toml", &config);
-    let ran = project.kane(&["generate"]);
-    assert_eq!(ran.code, 0, "{}", ran.err);
-    let manifest = serde_json::from_str(&project.read("robot.json")).unwrap();
-    (project, manifest)
+/// A project with this model, and its manifest.
+fn generated(name: &str, model: &str) -> (Project, Value) {
+    super::generated([name, model], "robot", "functions = [\"q_dot\"]\n")
 }
 
 fn record<'m>(manifest: &'m Value, list: &str, name: &str) -> &'m Value {
@@ -137,7 +128,7 @@ fn close(found: &Value, expected: &[f64]) {
 
 #[test]
 fn joints_of_a_urdf_have_its_types_axes_and_origins() {
-    let (_, manifest) = generated("robot.urdf", ROBOT, "");
+    let (_, manifest) = generated("robot.urdf", ROBOT);
     // Of what is fixed the pose in the body that carries it.
     let stand = rpy([0.0, 0.0, 0.4]);
     let tool = rpy([0.0, 0.0, 1.1]);
@@ -180,7 +171,7 @@ fn joints_of_a_urdf_have_its_types_axes_and_origins() {
 
 #[test]
 fn joint_that_follows_says_whom_and_how() {
-    let (_, manifest) = generated("robot.urdf", ROBOT, "");
+    let (_, manifest) = generated("robot.urdf", ROBOT);
     let left = record(&manifest, "joints", "left")["q"].as_array().unwrap();
     let leader = left.iter().find_map(Value::as_u64).unwrap();
     assert_eq!(
@@ -196,7 +187,7 @@ fn joint_that_follows_says_whom_and_how() {
 
 #[test]
 fn axes_are_those_of_velocities() {
-    let (project, manifest) = generated("robot.toml", FRAMES, "");
+    let (project, manifest) = generated("robot.toml", FRAMES);
     let joint = record(&manifest, "joints", "arm");
     assert_eq!(joint["kind"], Value::Null);
     assert_eq!(joint["locked"], json!({ "theta3": 0.5 }));
@@ -224,7 +215,7 @@ fn axes_are_those_of_velocities() {
 
 #[test]
 fn frames_stand_where_poses_say() {
-    let (project, manifest) = generated("robot.toml", FRAMES, "");
+    let (project, manifest) = generated("robot.toml", FRAMES);
     let listed: Vec<&Value> = manifest["frames"]
         .as_array()
         .unwrap()
@@ -260,7 +251,7 @@ fn frames_stand_where_poses_say() {
 
 #[test]
 fn parameters_move_and_turn_frames_as_they_say() {
-    let (project, manifest) = generated("robot.toml", FRAMES, "");
+    let (project, manifest) = generated("robot.toml", FRAMES);
     let names = manifest["parameters"].as_array().unwrap().iter();
     let nominal: Vec<(&str, f64)> = names
         .map(|own| {
@@ -328,7 +319,7 @@ fn site_of_an_mjcf_is_a_frame() {
       <body name="arm" pos="0 0 1"><inertial pos="0 0 0.1" mass="1" diaginertia="1 1 1"/><joint name="hinge" axis="0 1 0"/>
         <site name="tip" pos="0.1 0.2 0.3" xyaxes="0 1 0 -1 0 0"/></body>
     </worldbody></mujoco>"#;
-    let (_, manifest) = generated("robot.xml", model, "");
+    let (_, manifest) = generated("robot.xml", model);
     assert_eq!(
         record(&manifest, "frames", "tip"),
         &json!({
@@ -363,7 +354,7 @@ fn kinds_are_those_that_models_name() {
     ] {
         let body = body("arm", &format!("\"{kind}\"\n{more}"));
         let model = format!("name = \"robot\"\nlower_bodies = [0]\n{body}");
-        let (_, manifest) = generated("robot.toml", &model, "");
+        let (_, manifest) = generated("robot.toml", &model);
         assert_eq!(record(&manifest, "joints", "arm")["kind"], kind);
     }
 }

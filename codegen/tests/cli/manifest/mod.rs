@@ -43,17 +43,24 @@ attachment = [0.0, 0.0, -0.75]
 joint = "fixed"
 "#;
 
-/// The robot with these functions, and with more lines in its `kane.toml`, generated.
-fn robot(functions: &str, more: &str) -> Project {
+/// A model in a file of this name, generated to this module with these lines in `kane.toml`; and its manifest.
+fn generated([name, model]: [&str; 2], module: &str, lines: &str) -> (Project, Value) {
     let project = Project::empty();
-    project.write("robot.toml", ROBOT);
+    project.write(name, model);
     let config = format!(
-        "[[system]]\nmodel = \"robot.toml\"\noutput = \"legged.rs\"\nmanifest = true\nfunctions = {functions}\n{more}"
+        "[[system]]\nmodel = \"{name}\"\noutput = \"{module}.rs\"\nmanifest = true\n{lines}"
     );
     project.write("kane.toml", &config);
     let ran = project.kane(&["generate"]);
     assert_eq!(ran.code, 0, "{}", ran.err);
-    project
+    let manifest = serde_json::from_str(&project.read(&format!("{module}.json"))).unwrap();
+    (project, manifest)
+}
+
+/// The robot with these functions, and with more lines in its `kane.toml`, generated.
+fn robot(functions: &str, more: &str) -> Project {
+    let lines = format!("functions = {functions}\n{more}");
+    generated(["robot.toml", ROBOT], "legged", &lines).0
 }
 
 fn manifest(project: &Project) -> Value {

@@ -155,16 +155,9 @@ fn given(name: &str, values: &[f64]) -> Value {
 }
 
 fn project(functions: &[String]) -> (Project, Value) {
-    let project = Project::empty();
-    project.write("robot.toml", ROBOT);
-    let config = format!(
-        "[[system]]\nmodel = \"robot.toml\"\noutput = \"robot.rs\"\nmanifest = true\nprescribed = [\"arm\"]\nformulation = \"notes\"\nfunctions = {functions:?}\n"
-    );
-    project.write("kane.toml", &config);
-    let ran = project.kane(&["generate"]);
-    assert_eq!(ran.code, 0, "{}", ran.err);
-    let manifest = serde_json::from_str(&project.read("robot.json")).unwrap();
-    (project, manifest)
+    let lines =
+        format!("prescribed = [\"arm\"]\nformulation = \"notes\"\nfunctions = {functions:?}\n");
+    super::generated(["robot.toml", ROBOT], "robot", &lines)
 }
 
 /// Every function of the catalogue, and derivatives.

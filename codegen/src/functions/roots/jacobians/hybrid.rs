@@ -25,7 +25,7 @@ use crate::{
     tree::Tree,
 };
 
-/// Of so many speeds one may be prescribed for columns by the turns of a root to be cheaper without a solution.
+/// Columns by the turns of a root are cheaper without a solution where at most one speed of so many is prescribed.
 const SPEEDS_PER_PRESCRIBED: usize = 4;
 
 /// Rows are those of all accelerations, then of all forces.
@@ -114,7 +114,7 @@ impl Columns<'_> {
             let mut speeds = self.tree.body(*body).joint.speeds().into_iter();
             speeds.all(|(_, speed)| !prescribed.contains(&speed))
         };
-        // What forces make of prescribed motions has to be found for it.
+        // They need how prescribed forces change with given ones.
         let is_worth_it = prescribed.len() * SPEEDS_PER_PRESCRIBED <= self.tree.n_speeds;
         let mut roots = turning_roots(self.tree);
         roots.retain(|root| is_worth_it && is_free(root));
