@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use super::planned::{MOST_NODES, Planned, operations};
+use super::planned::{MOST_NODES, Planned, cost};
 use crate::{
     functions::{Arrangement, Formulation, Request},
     recursive::Plan,
@@ -26,7 +26,7 @@ pub(super) fn cheapest(
     let mut search = Search {
         tree,
         request,
-        least: cost(&together),
+        least: cost(&together.derived),
         tried: BTreeSet::from([together.arrangement.clone()]),
         n_nodes: 0,
         best: together,
@@ -47,18 +47,12 @@ pub(super) fn cheapest(
     search.best
 }
 
-/// There is one sine and one cosine a joint, whatever another one would save.
-fn cost(planned: &Planned) -> (usize, usize) {
-    let operations = operations(&planned.derived);
-    (operations.trig, operations.total())
-}
-
 struct Search<'a> {
     tree: &'a Tree,
     request: &'a Request,
     best: Planned,
     /// What that costs.
-    least: (usize, usize),
+    least: usize,
     tried: BTreeSet<Arrangement>,
     /// How many nodes were built.
     n_nodes: usize,
@@ -94,7 +88,7 @@ impl Search<'_> {
         let &mut Self { tree, request, .. } = self;
         let planned = Planned::new(tree, request, Formulation::Recursive, arrangement);
         self.n_nodes += planned.derived.graph.len();
-        let cost = cost(&planned);
+        let cost = cost(&planned.derived);
         if cost < self.least {
             (self.least, self.best) = (cost, planned);
         }

@@ -6,7 +6,7 @@
 use super::branches;
 use crate::{
     functions::{Arrangement, Derived, Request},
-    passes::{factor, hoist, hoist::Preparation, sines},
+    passes::{angles, factor, hoist, hoist::Preparation, sines},
     program::{self, Program},
     recursive::Technique,
     tree::Tree,
@@ -23,14 +23,16 @@ pub(super) fn finished(
     if arrangement.uses(Technique::Factor) && request.compact().is_none() {
         (derived.graph, derived.roots) = factor::run(derived.graph, derived.roots);
     }
-    given_sines(tree, request, derived)
+    with_sines(tree, request, derived)
 }
 
-/// A function with sines and cosines as inputs where they are to be given.
-pub(super) fn given_sines(tree: &Tree, request: &Request, mut derived: Derived) -> Derived {
+/// A function with sines and cosines as inputs where they are to be given, and with one of each an angle where it is joined of several.
+pub(super) fn with_sines(tree: &Tree, request: &Request, mut derived: Derived) -> Derived {
     if request.is_at_sin_cos() {
         let angles = tree.angles();
         (derived.graph, derived.roots) = sines::run(&derived.graph, &derived.roots, &angles);
+    } else if request.parts().len() > 1 {
+        (derived.graph, derived.roots) = angles::run(derived.graph, derived.roots);
     }
     derived
 }

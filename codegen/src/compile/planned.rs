@@ -14,6 +14,9 @@ use crate::{
 /// How many nodes may be built to compare candidates whatever they promise: a tenth of a second's work.
 pub(super) const MOST_NODES: usize = 400_000;
 
+/// What a sine costs above other operations: a plan that needs one angle more must save that much.
+const SINE: usize = 10;
+
 /// A plan of each part, and the function by these, as it would be emitted.
 #[derive(Clone, Debug)]
 pub struct Planned {
@@ -50,4 +53,10 @@ pub fn by_plan(tree: &Tree, request: &Request, formulation: Formulation, plan: &
 /// The operations that are left in the loop.
 pub fn operations(derived: &Derived) -> Operations {
     Operations::of(&derived.graph, &derived.roots)
+}
+
+/// What plans are compared by.
+pub(super) fn cost(derived: &Derived) -> usize {
+    let operations = operations(derived);
+    operations.total() + SINE * operations.trig
 }

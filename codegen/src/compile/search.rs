@@ -16,8 +16,8 @@ use crate::{
 };
 
 use super::{
-    pipeline::{finished, given_sines},
-    planned::{MOST_NODES, operations},
+    pipeline::{finished, with_sines},
+    planned::{MOST_NODES, cost},
 };
 
 /// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
@@ -26,12 +26,6 @@ const MOST_EXACT: usize = 4_000;
 /// How many sums and products may be asked for to compare choices link by link: a second's work. Where most of them fold, as of
 /// bodies that turn about one line, they build few nodes.
 const MOST_ASKED: usize = 10_000_000;
-
-/// What a sine costs above other operations: a plan that needs one angle more must save that much.
-const SINE: usize = 10;
-
-/// In a function that does several things no angle is worth another one: there is one sine and one cosine a joint.
-const SINE_OF_SEVERAL: usize = 1_000_000;
 
 /// Up to this many nodes the search starts several times: what is sparse and small has more than one local optimum.
 const MOST_STARTS: usize = 1_500;
@@ -77,7 +71,7 @@ type Counts = BTreeMap<(bool, Plan), Count>;
 /// What a plan costs.
 #[derive(Clone, Copy)]
 struct Count {
-    operations: usize,
+    cost: usize,
     /// How many nodes were built to count it.
     n_nodes: usize,
     /// How many sums and products were asked for.
@@ -107,11 +101,6 @@ fn from(
         n_asked: 0,
         n_first: 0,
         is_exact: true,
-        sine: if request.parts().len() == 1 {
-            SINE
-        } else {
-            SINE_OF_SEVERAL
-        },
     };
     search.try_all(&plan);
     search.try_solving_by_columns();
@@ -145,8 +134,6 @@ struct Search<'a> {
     n_asked: usize,
     /// True while plans are compared by what is left after factoring.
     is_exact: bool,
-    /// What a sine costs above other operations.
-    sine: usize,
 }
 
 impl Search<'_> {
@@ -184,7 +171,7 @@ impl Search<'_> {
         self.n_nodes += count.n_nodes;
         self.n_asked += count.n_asked;
         self.is_exact &= count.n_nodes <= MOST_EXACT;
-        count.operations
+        count.cost
     }
 
     fn counted(&self, plan: &Plan) -> Count {
@@ -198,11 +185,10 @@ impl Search<'_> {
             (derived, n_nodes)
         } else {
             let n_nodes = derived.graph.len();
-            (given_sines(tree, request, derived), n_nodes)
+            (with_sines(tree, request, derived), n_nodes)
         };
-        let operations = operations(&derived);
         Count {
-            operations: operations.total() + self.sine * operations.trig,
+            cost: cost(&derived),
             n_nodes,
             n_asked,
         }

@@ -109,7 +109,6 @@ impl Pairs<'_> {
         }
     }
 
-    /// `sin(a + b) = sin a cos b + cos a sin b`, `cos(a + b) = cos a cos b - sin a sin b`.
     fn of_terms(&self, graph: &mut ExprGraph, rebuilt: &Rebuilt, id: NodeId) -> Option<[Expr; 2]> {
         if self.old.binding(id) != Binding::State {
             let angle = rebuilt.node(id);
@@ -122,18 +121,23 @@ impl Pairs<'_> {
                 Some([Input::Sine(place), Input::Cosine(place)].map(|input| graph.input(input)))
             }
             Node::Add(a, b) => {
-                let ([s, c], [t, d]) = (self.at(a)?, self.at(b)?);
-                let [first, second, third, fourth] =
-                    [(s, d), (c, t), (c, d), (s, t)].map(|(a, b)| graph.mul(a, b));
-                Some([graph.add(first, second), graph.sub(third, fourth)])
+                let (one, other) = (self.at(a)?, self.at(b)?);
+                Some(of_sum(graph, one, other))
             }
             _ => None,
         }
     }
 }
 
+/// `sin(a + b) = sin a cos b + cos a sin b`, `cos(a + b) = cos a cos b - sin a sin b`.
+pub(super) fn of_sum(graph: &mut ExprGraph, [s, c]: [Expr; 2], [t, d]: [Expr; 2]) -> [Expr; 2] {
+    let [first, second, third, fourth] =
+        [(s, d), (c, t), (c, d), (s, t)].map(|(a, b)| graph.mul(a, b));
+    [graph.add(first, second), graph.sub(third, fourth)]
+}
+
 /// A sine or cosine, zero where it is so but for rounding, as that of a right angle is.
-fn without_crumb(graph: &mut ExprGraph, entry: Expr) -> Expr {
+pub(super) fn without_crumb(graph: &mut ExprGraph, entry: Expr) -> Expr {
     match graph.as_number(entry) {
         Some(number) if number.abs() < f64::EPSILON => graph.zero(),
         _ => entry,

@@ -19,12 +19,13 @@ use kane_test_support::compare::{Tolerance, assert_close};
 use crate::compiled::{compiled, input, read};
 
 /// What control loops ask for together.
-const JOINED: [&str; 5] = [
+const JOINED: [&str; 6] = [
     "mass_matrix+bias",
     "mass_matrix+bias+gravity_forces",
     "inverse_dynamics+forward_dynamics",
     "rotation+mass_center_position+mass_matrix+bias",
     "kinetic_energy+potential_energy",
+    "mass_center_position+coriolis_matrix",
 ];
 
 /// Of these one part finds what others need.

@@ -1,5 +1,6 @@
 //! Deriving: from a tree to programs, by meaning and by count.
 
+mod angles;
 mod base_parameters;
 mod branches;
 mod chains;
