@@ -11,8 +11,12 @@ fn untested(page: &Page, block: &Block) -> Option<String> {
     let replayed = REPLAYED.contains(&&*page.path);
     let why = match (&*block.language, &block.used) {
         ("text", None) | ("sh", Some(Use::NotRun)) => return None,
-        (_, Some(Use::File(_) | Use::Run | Use::Output)) if replayed => return None,
-        (_, Some(Use::File(_) | Use::Run | Use::Output)) => "is of no tutorial that is run",
+        (_, Some(used)) if *used != Use::NotRun => {
+            if replayed {
+                return None;
+            }
+            "is of no tutorial that is run"
+        }
         ("rust", None) if doc_tested(&page.path) => return None,
         ("rust", None) => "is of a page that src/lib.rs does not include",
         ("toml", None) => match read(&block.text) {

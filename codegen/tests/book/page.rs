@@ -6,6 +6,7 @@
 //! | --- | --- |
 //! | `file: PATH` | written to this file |
 //! | `run` | run by bash, in the folder where the block before it ended |
+//! | `run with TOOL` | the same, if the tool can be run |
 //! | `output` | what the last run printed, line after line, with other lines between them or not |
 //! | `not run: REASON` | left alone |
 
@@ -34,6 +35,7 @@ pub(crate) const REPLAYED: [&str; 8] = [
 pub(crate) enum Use {
     File(String),
     Run,
+    RunWith(String),
     Output,
     NotRun,
 }
@@ -155,6 +157,9 @@ fn comment(path: &str, html: &str) -> Option<Use> {
         .trim();
     if let Some(file) = words.strip_prefix("file: ") {
         return Some(Use::File(file.to_owned()));
+    }
+    if let Some(tool) = words.strip_prefix("run with ") {
+        return Some(Use::RunWith(tool.to_owned()));
     }
     match words {
         "run" => Some(Use::Run),

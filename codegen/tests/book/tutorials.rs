@@ -14,6 +14,8 @@ const MARK: &str = "---- end of a block ----";
 fn program(page: &Page) -> (String, Vec<(usize, String)>) {
     let mut script = "set -eu\n".to_owned();
     let (mut runs, mut outputs) = (0, Vec::new());
+    // Of what was not run nothing is printed.
+    let mut is_run = true;
     for block in &page.blocks {
         let text = &block.text;
         match &block.used {
@@ -26,12 +28,18 @@ fn program(page: &Page) -> (String, Vec<(usize, String)>) {
                 )
                 .unwrap();
             }
-            Some(Use::Run) => {
-                runs += 1;
-                write!(script, "{text}\necho '{MARK}'\n").unwrap();
+            Some(used @ (Use::Run | Use::RunWith(_))) => {
+                is_run = match used {
+                    Use::RunWith(name) => tool(name, &format!("a part of {}", page.path)).is_some(),
+                    _ => true,
+                };
+                if is_run {
+                    runs += 1;
+                    write!(script, "{text}\necho '{MARK}'\n").unwrap();
+                }
             }
-            Some(Use::Output) => outputs.push((runs, text.clone())),
-            Some(Use::NotRun) | None => {}
+            Some(Use::Output) if is_run => outputs.push((runs, text.clone())),
+            Some(Use::Output | Use::NotRun) | None => {}
         }
     }
     (script, outputs)
