@@ -269,13 +269,19 @@ impl Argument {
             Self::Force => Row::sampled(
                 "force",
                 Shape::VECTOR,
-                ("force at the frame's origin", Unit::Of(&["N"])),
+                (
+                    "force at the frame's origin, inertial components, or the frame's own for `local`",
+                    Unit::Of(&["N"]),
+                ),
                 ("FRAME_FORCES", Input::FrameForce),
             ),
             Self::Moment => Row::sampled(
                 "moment",
                 Shape::VECTOR,
-                ("moment on the frame", Unit::Of(&["N m"])),
+                (
+                    "moment on the frame, components likewise",
+                    Unit::Of(&["N m"]),
+                ),
                 ("FRAME_MOMENTS", Input::FrameMoment),
             ),
             _ => unreachable!("functions: {self:?} is of a product"),

@@ -51,6 +51,18 @@ impl Unit {
         }
     }
 
+    /// Those of [`Self::all`] that there are where coordinates and speeds have these units.
+    pub fn among(&self, coordinates: &[&str], speeds: &[&str]) -> Vec<&str> {
+        let (all, given, known) = match self {
+            Self::ByCoordinate(_) => (self.all(), coordinates, &CoordinateKind::UNITS[..]),
+            Self::BySpeed(_) => (self.all(), speeds, &SPEED[..]),
+            Self::Of(_) | Self::Derived(_) => return self.all(),
+        };
+        let both = all.into_iter().zip(known);
+        let found = both.filter(|(_, known)| given.contains(known));
+        found.map(|(unit, _)| unit).collect()
+    }
+
     /// In words; empty where none is known, and where entries have none.
     pub fn text(&self) -> String {
         match self {

@@ -162,6 +162,21 @@ fn names(lists: &[String]) -> Vec<&str> {
     lists.iter().flat_map(|list| split(list)).collect()
 }
 
+/// The function to which `kane.toml` gives this name.
+pub(crate) fn named(name: &str, listed: &Functions) -> Option<Parsed> {
+    let mut requests = listed.requests().into_iter();
+    requests.find(|own| own.given_name() == Some(name.trim()))
+}
+
+/// Reads `--functions`, in which names may stand that `kane.toml` gives.
+pub(crate) fn functions_of(lists: &[String], listed: &Functions) -> Result<Functions, Failures> {
+    let names = names(lists).into_iter().map(|name| {
+        let named = named(name, listed);
+        named.map_or_else(|| name.to_owned(), |own| own.text())
+    });
+    functions(&names.collect::<Vec<_>>())
+}
+
 /// Reads `--functions`.
 pub(crate) fn functions(lists: &[String]) -> Result<Functions, Failures> {
     let names = names(lists);

@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 use kane_codegen::object::{self, OptLevel, Options, Report, Runtime, Scalar};
 use serde_json::{Value, json};
 
-use crate::cli::{Failures, Outcome, arguments::parse::one_of, text::json};
+use crate::cli::{Failures, Outcome, arguments::parse::one_of, paths, text::json};
 
 /// Check the machine code of generated functions against the guarantees
 ///
@@ -52,7 +52,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "NAME")]
     target_cpu: Option<String>,
 
-    /// The folder of the crate `kane`; without it, the `kane` that the package in the current folder depends on
+    /// The folder of the crate `kane`; without it, the `kane` on which the package of the first module depends
     #[arg(long, value_name = "FOLDER")]
     kane: Option<PathBuf>,
 }
@@ -74,7 +74,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     };
     let root = match &arguments.kane {
         Some(folder) => folder.join("src/lib.rs"),
-        None => depended_on()?,
+        None => depended_on(paths::parent(&arguments.modules[0]))?,
     };
     let runtime = Runtime::new(&root, &options)?;
     let mut failures = Failures::default();
@@ -128,7 +128,7 @@ fn value(path: &Path, report: &Report) -> Value {
 }
 
 /// The root file of the crate `kane` that cargo compiles for the current folder's package.
-fn depended_on() -> Result<PathBuf, Failures> {
+fn depended_on(folder: &Path) -> Result<PathBuf, Failures> {
     let failure = |what: &str| {
         Failures::message(format!(
             "{what}; the folder of the crate `kane` can be given with --kane"
@@ -136,6 +136,7 @@ fn depended_on() -> Result<PathBuf, Failures> {
     };
     let output = Command::new("cargo")
         .args(["metadata", "--format-version=1"])
+        .current_dir(folder)
         .output()
         .map_err(|error| failure(&format!("cannot run cargo: {error}")))?;
     if !output.status.success() {

@@ -89,8 +89,10 @@ fn actuators<'d>(
         }
     }
     if !children.is_empty() {
+        // Nothing is lost: what they do is given in their place.
         let message = "actuators are left out: forces of the joints are arguments of the functions";
-        left_out(reader, section, message);
+        let note = Diagnostic::note(message).at(section.span(), "left out");
+        reader.faults.push(note);
     }
 }
 

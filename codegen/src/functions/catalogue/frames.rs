@@ -105,7 +105,7 @@ pub(super) const ACCELERATION: Function = Function {
         Unit::Of(&["m/s^2"]),
         Unit::Of(&["rad/s^2"]),
         [
-            "acceleration of the origin of {frame}, {axes}",
+            "acceleration of the origin of {frame}, without gravity, {axes}",
             "angular acceleration of {frame}, {axes}",
         ],
         Shape::VECTOR,

@@ -24,6 +24,10 @@ pub(in crate::functions) struct ParsedSubject {
 /// What may stand behind the frame of most functions.
 const VIEW: &str = "expected `local`, for the frame's own axes; what is seen from another frame is `jacobian(F, G)`, times `u`";
 
+/// What several frames may be meant for.
+const SEVERAL: &str = "expected no more than one frame, from which the motion is seen; functions of several frames are joined, \
+    as `jacobian(F)+jacobian(G)`";
+
 impl ParsedSubject {
     /// A frame, and what is said behind it of how it is seen.
     pub(in crate::functions) fn new(
@@ -48,7 +52,7 @@ impl ParsedSubject {
             [other] if has_other => (vec![frame, other], View::Other),
             [word, ..] if views.len() == 1 => return fault(word, "expected nothing there"),
             [word] => return fault(word, VIEW),
-            [_, word, ..] if has_other => return fault(word, "expected no more than one word"),
+            [_, word, ..] if has_other => return fault(word, SEVERAL),
             [_, word, ..] => return fault(word, "expected no more than `local`"),
         };
         let frames = frames.into_iter().cloned().collect();

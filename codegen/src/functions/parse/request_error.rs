@@ -84,7 +84,8 @@ pub enum RequestError {
     },
     /// A function of the whole system, of something.
     #[error(
-        "`{name}` is of the whole system; expected nothing in brackets after it, or `(sin_cos)`"
+        "`{name}` is of the whole system; expected nothing in brackets after it, or `(sin_cos)`{}",
+        of_frame(name)
     )]
     FrameNotTaken {
         /// The function.
@@ -290,4 +291,16 @@ pub(in crate::functions) fn all_or_faults<T>(
     } else {
         Err(faults)
     }
+}
+
+/// What is like a function of the system, of a single frame.
+fn of_frame(name: &str) -> String {
+    let of_frame = match name {
+        "rotation" | "origin_position" | "mass_center_position" => "pose",
+        "angular_velocity" | "origin_velocity" | "mass_center_velocity" => "velocity",
+        "angular_acceleration" | "mass_center_acceleration" => "acceleration",
+        "partial_angular_velocity" | "partial_velocity_origin" | "partial_velocity" => "jacobian",
+        _ => return String::new(),
+    };
+    format!("; of a frame it is `{of_frame}(FRAME)`")
 }

@@ -96,7 +96,9 @@ fn function(facts: &Facts, function: &Function, prefix: Option<&str>) -> String 
         let shape = facts.extent(argument).shape();
         if let Some(lengths) = shape {
             members.push(("shape", list(lengths)));
-            members.push(("unit", one_or_several(&argument.unit.all())));
+            let units = &facts.units;
+            let units = argument.unit.among(&units.coordinates, &units.speeds);
+            members.push(("unit", one_or_several(&units)));
         }
         members.push(("meaning", string(&argument.meaning)));
         object(&members)

@@ -106,7 +106,10 @@ pub(crate) fn run(
 fn no_revision(argument: &Path) -> Failures {
     let argument = quoted(argument);
     Failures::message(if git::is_repository() {
-        format!("{argument} is no git revision; expected one, or a second file to compare it with")
+        format!(
+            "{argument} is no git revision; expected one, or a second file to compare it with; with that of the last commit: \
+             `kane diff HEAD`"
+        )
     } else {
         format!(
             "{argument} is no git revision, for this folder is in no git repository; expected two files"

@@ -60,7 +60,7 @@ use crate::cli::{
     \"q_direction\": [1.0, 0.0],  for jvp, shaped like the variable (q_direction: like u); \"multiplier\" for vjp and hessian\n    \
     \"parameters\": {\"arm_mass\": 2.0}    those that differ from the nominal values\n  \
     }\n\
-    Inputs that the function does not need may be absent. Coordinates, speeds and bodies may also be named, what is not named is zero:\n  \
+    Inputs that the function does not need may be absent. Coordinates, speeds and bodies may also be named. What is not named is zero, but the first number of a quaternion is one:\n  \
     {\"q\": {\"elbow\": 0.3}, \"u\": {}}\n\n\
     Examples:\n  \
     kane eval models/arm.toml --function mass_matrix --state state.json\n  \
@@ -99,12 +99,8 @@ pub(crate) fn run(
 ) -> Result<Outcome, Failures> {
     let mut failures = Failures::default();
     let job = listed::looked_at(&arguments.model, &arguments.changes);
-    let functions = job
-        .as_ref()
-        .ok()
-        .map(|job| job.options.functions.requests());
-    let mut functions = functions.into_iter().flatten();
-    let named = functions.find(|own| own.given_name() == Some(&arguments.function));
+    let listed = job.as_ref().ok().map(|job| &job.options.functions);
+    let named = listed.and_then(|listed| options::named(&arguments.function, listed));
     let function = named.map_or_else(|| options::request(&arguments.function), Ok);
     let function = failures.keep(function);
     let job = failures.keep(job);
@@ -177,7 +173,7 @@ fn warn_of_quaternions(tree: &Tree, inputs: &State, voice: Voice) {
         if (length - 1.0).abs() > UNIT_TOLERANCE {
             let name = body.name.escape_debug();
             voice.say(format_args!(
-                "warning: the quaternion of `{name}` has length {length}; expected 1"
+                "warning: the quaternion of `{name}` has length {length}; expected 1, for a rotation"
             ));
         }
     }

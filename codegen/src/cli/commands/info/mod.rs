@@ -64,7 +64,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     changes: ChangesArguments,
 
-    /// Count these functions instead of the default set, comma-separated; `all` stands for every function of the system
+    /// Count these functions instead of those that `kane.toml` asks for, or the default set, comma-separated; `all` stands for every function of the system
     ///
     /// `mass_matrix+bias` is one function that computes both. Without this option, --json counts all functions.
     #[arg(long, value_name = "A,B")]
@@ -94,9 +94,11 @@ pub(crate) fn run(
     voice: Voice,
     out: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
-    let asked = arguments.functions.as_deref().map(options::functions);
-    let asked = asked.transpose()?;
     let job = listed::looked_at(&arguments.model, &arguments.changes)?;
+    let listed = &job.options.functions;
+    let asked = arguments.functions.as_deref();
+    let asked = asked.map(|asked| options::functions_of(asked, listed));
+    let asked = asked.transpose()?;
     let model = job.checked()?;
     voice.warn_without_notes(&model.warnings);
     let tree = &model.tree;
@@ -112,7 +114,7 @@ pub(crate) fn run(
     }
     let are_default = asked.is_none();
     let mut options = Options {
-        functions: asked.unwrap_or_else(|| unasked(arguments.json)),
+        functions: asked.unwrap_or_else(|| unasked(listed, arguments.json)),
         ..job.options
     };
     if !arguments.without.is_empty() {
@@ -143,12 +145,12 @@ pub(crate) fn run(
     Ok(Outcome::Done)
 }
 
-/// The functions that are counted where none are asked for.
-fn unasked(json: bool) -> Functions {
+/// The functions that are counted where none are asked for: those that are generated, or all for programs.
+fn unasked(listed: &Functions, json: bool) -> Functions {
     if json {
         Functions::All(Vec::new())
     } else {
-        Functions::default()
+        listed.clone()
     }
 }
 
