@@ -39,12 +39,15 @@ pub enum View {
 }
 
 impl SubjectFrame {
-    /// The frame with this name, if the model has one.
+    /// The frame with this name, as the model has it or as generated code does, if there is one.
     pub fn find(tree: &Tree, name: &str) -> Option<Self> {
-        let mut frames = tree.named_frames();
-        let frame = frames.find(|frame| tree.frame_name(*frame) == name)?;
+        let with = |own: for<'a> fn(&'a Tree, NamedFrame) -> &'a str| {
+            let mut frames = tree.named_frames();
+            frames.find(|frame| own(tree, *frame) == name)
+        };
+        let frame = with(Tree::frame_name).or_else(|| with(Tree::frame_identifier))?;
         Some(Self {
-            name: name.to_owned(),
+            name: tree.frame_name(frame).to_owned(),
             identifier: tree.frame_identifier(frame).to_owned(),
             frame,
         })

@@ -46,7 +46,7 @@ fn every_limit_that_is_passed_is_shown_at_once() {
     ));
     let ran = project.kane(&["check"]);
     let told = format!(
-        "generated/arm.rs is over budget\n  \
+        "generated/arm.rs is over budget; limits of operations in kane.toml:\n  \
          mul      bias         {mul}, of {} (+2)\n  \
          total    mass_matrix  {all}, of {} (+1)\n",
         mul - 2,
@@ -62,7 +62,7 @@ fn what_is_over_budget_is_written_with_a_warning() {
     let ran = project.kane(&["generate"]);
     let (total, _) = stated(&project, "bias");
     let told = format!(
-        "wrote generated/arm.rs\nwarning: generated/arm.rs is over budget\n  \
+        "wrote generated/arm.rs\nwarning: generated/arm.rs is over budget; limits of operations in kane.toml:\n  \
          total    bias  {total}, of 1 (+{})\n",
         total - 1
     );
@@ -118,7 +118,16 @@ fn a_function_with_a_name_is_limited_by_it() {
     let ran = project.kane(&["check"]);
     assert!(ran.err.contains("it is called `step` there"), "{}", ran.err);
     project.write("kane.toml", &config);
-    // It is known by its name where its model is listed.
+    // It is known by its name where its model is listed, and counted there unasked.
+    for asked in [&[][..], &["--functions", "step"]] {
+        let ran = project.kane(&[&["info", "models/arm.toml"], asked].concat());
+        assert!(
+            ran.out.contains("  step = mass_matrix+bias  "),
+            "{}",
+            ran.out
+        );
+        assert!(!ran.out.contains("  inverse_dynamics  "), "{}", ran.out);
+    }
     let state = "{\"q\": {}, \"u\": {}}";
     project.write("state.json", state);
     let evaluated = |function: &str| {

@@ -4,7 +4,7 @@ use serde_json::json;
 
 use super::{
     eval::arm,
-    project::{Project, model},
+    project::{Project, model, repository},
 };
 
 #[test]
@@ -53,6 +53,29 @@ fn places_may_be_named() {
     error: `u.upper_s2_dot` is `upper_s2` by another name; expected one
     --> state.json
     ");
+}
+
+#[test]
+fn joints_and_frames_have_the_names_of_the_model_and_of_generated_code() {
+    let project = Project::empty();
+    let model = repository("tests/robots/solo12/solo12.urdf");
+    let evaluated = |function: &str, state: &str| {
+        project.write("state.json", state);
+        let model = model.to_str().unwrap();
+        let asked = ["--function", function, "--state", "state.json"];
+        let ran = project.kane(&[&["eval", model, "--base", "free"][..], &asked].concat());
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        ran.out
+    };
+    let generated = evaluated(
+        "velocity(fl_foot)",
+        r#"{"q": {"fl_haa": 0.1}, "u": {"fl_kfe": 0.2, "fl_hfe_dot": 0.3}}"#,
+    );
+    let own = evaluated(
+        "velocity(FL_FOOT)",
+        r#"{"q": {"FL_HAA": 0.1}, "u": {"FL_KFE": 0.2, "FL_HFE": 0.3}}"#,
+    );
+    assert_eq!(generated, own);
 }
 
 #[test]

@@ -170,7 +170,7 @@ fn what_is_no_revision_and_has_nothing_beside_it_is_said() {
     for (arguments, told) in [
         (
             &["main~9"][..],
-            "`main~9` is no git revision; expected one, or a second file to compare it with",
+            "`main~9` is no git revision; expected one, or a second file to compare it with; `kane diff HEAD` compares all systems with the last commit",
         ),
         (
             &["HEAD", "models/arm.toml"],

@@ -146,7 +146,10 @@ fn write_files(
 fn write_over_budget(out: &mut dyn Write, jobs: &[Job], modules: &[Generated]) -> io::Result<bool> {
     let over = job::over_budget(jobs, modules);
     for (target, lines) in &over {
-        writeln!(out, "{target} is over budget; limits of operations in kane.toml:\n{lines}")?;
+        writeln!(
+            out,
+            "{target} is over budget; limits of operations in kane.toml:\n{lines}"
+        )?;
     }
     Ok(over.is_empty())
 }

@@ -98,7 +98,9 @@ pub(crate) fn run(
         );
     }
     for (target, lines) in job::over_budget(&selected.jobs, &modules) {
-        voice.say(format_args!("warning: {target} is over budget; limits of operations in kane.toml:\n{lines}"));
+        voice.say(format_args!(
+            "warning: {target} is over budget; limits of operations in kane.toml:\n{lines}"
+        ));
     }
     Ok(Outcome::Done)
 }

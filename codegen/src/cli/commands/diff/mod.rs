@@ -107,8 +107,8 @@ fn no_revision(argument: &Path) -> Failures {
     let argument = quoted(argument);
     Failures::message(if git::is_repository() {
         format!(
-            "{argument} is no git revision; expected one, or a second file to compare it with; with that of the last commit: \
-             `kane diff HEAD`"
+            "{argument} is no git revision; expected one, or a second file to compare it with; `kane diff HEAD` compares all \
+             systems with the last commit"
         )
     } else {
         format!(

@@ -2,12 +2,12 @@
 
 use kane_codegen::{
     functions::{Argument, Dimension},
-    tree::Tree,
+    tree::{Joint, Tree},
 };
 
 /// What the places of an argument's outer list are called.
 pub(super) struct Places {
-    /// For each its name, and perhaps another one.
+    /// For each its name, and perhaps others: that of its rate, that of its joint as the model has it.
     names: Vec<Vec<String>>,
     /// For each the number that it has where it is not named.
     pub(super) otherwise: Vec<f64>,
@@ -19,11 +19,15 @@ impl Places {
     /// Those of an argument over coordinates, speeds or bodies; `None` for another one.
     pub(super) fn of(tree: &Tree, argument: Argument) -> Option<Self> {
         let (names, kind) = match argument.shape().dimensions.first()? {
-            Dimension::Coordinates => (alone(tree.coordinate_names()), "coordinates"),
+            Dimension::Coordinates => {
+                let own = alone(tree.coordinate_names());
+                (with_joints(tree, own, coordinates), "coordinates")
+            }
             Dimension::Speeds => {
                 let plain = tree.along_speeds("", "").into_iter();
                 let both = plain.zip(tree.speed_names());
-                (both.map(|(own, rate)| vec![own, rate]).collect(), "speeds")
+                let own = both.map(|(own, rate)| vec![own, rate]).collect();
+                (with_joints(tree, own, speeds), "speeds")
             }
             Dimension::Bodies => {
                 let bodies = tree.bodies.iter().map(|body| body.name.clone());
@@ -49,7 +53,7 @@ impl Places {
             let mut names = self.names.iter();
             names.position(|own| own.get(nth).is_some_and(|own| own == name))
         };
-        called(0).or_else(|| called(1))
+        (0..3).find_map(called)
     }
 
     /// The first name of each.
@@ -60,4 +64,30 @@ impl Places {
 
 fn alone(names: Vec<String>) -> Vec<Vec<String>> {
     names.into_iter().map(|name| vec![name]).collect()
+}
+
+/// The names, and those of joints that have a single place.
+fn with_joints(
+    tree: &Tree,
+    mut names: Vec<Vec<String>>,
+    places: fn(&Joint) -> Vec<usize>,
+) -> Vec<Vec<String>> {
+    for body in &tree.bodies {
+        if let [place] = places(&body.joint)[..]
+            && body.joint.is_named
+        {
+            names[place].push(body.joint.name.clone());
+        }
+    }
+    names
+}
+
+fn coordinates(joint: &Joint) -> Vec<usize> {
+    let all = joint.coordinates().into_iter();
+    all.map(|(_, own)| own.index()).collect()
+}
+
+fn speeds(joint: &Joint) -> Vec<usize> {
+    let all = joint.speeds().into_iter();
+    all.map(|(_, own)| own.index()).collect()
 }
