@@ -1,12 +1,12 @@
 //! The cheapest arrangement of a joined function: which parts are derived by one plan, which by a plan of their own, and which are
 //! read off what others find.
 //!
-//! In: the function by one plan for all parts, and a plan of each part alone. Out: the cheapest [`Planned`]. Afterwards: it needs no
-//! more operations than by one plan, or fewer sines. What would take long is left as it is.
+//! In: the function by one plan for all parts, and a plan of each part alone. Out: the cheapest [`Planned`]. Afterwards: it costs no
+//! more than by one plan. What would take long is left as it is.
 
 use std::collections::BTreeSet;
 
-use super::planned::{MOST_NODES, Planned, cost};
+use super::planned::{MOST_NODES, Planned, cost, operations};
 use crate::{
     functions::{Arrangement, Formulation, Request},
     recursive::Plan,
@@ -26,7 +26,7 @@ pub(super) fn cheapest(
     let mut search = Search {
         tree,
         request,
-        least: cost(&together.derived),
+        least: cost(request, operations(&together.derived)),
         tried: BTreeSet::from([together.arrangement.clone()]),
         n_nodes: 0,
         best: together,
@@ -88,7 +88,7 @@ impl Search<'_> {
         let &mut Self { tree, request, .. } = self;
         let planned = Planned::new(tree, request, Formulation::Recursive, arrangement);
         self.n_nodes += planned.derived.graph.len();
-        let cost = cost(&planned.derived);
+        let cost = cost(request, operations(&planned.derived));
         if cost < self.least {
             (self.least, self.best) = (cost, planned);
         }

@@ -1,7 +1,7 @@
 //! The formulation in which a function is emitted.
 //!
 //! In: a function, a formulation or none. Out: a [`Choice`]. Afterwards: it is the formulation that was asked for, where the
-//! function has it, or the one with fewer operations; of equals the notes'.
+//! function has it, or the one that costs less; of equals the notes'.
 
 use crate::{
     functions::{Derived, Formulation, Request},
@@ -10,7 +10,12 @@ use crate::{
     tree::Tree,
 };
 
-use super::{cheapest::cheapest, planned::operations, plans::Plans, sweeps};
+use super::{
+    cheapest::cheapest,
+    planned::{cost, operations},
+    plans::Plans,
+    sweeps,
+};
 
 /// From how many nodes on the notes' values are long: their derivatives would take more time than all the rest.
 const LONG: usize = 20_000;
@@ -27,8 +32,7 @@ pub struct Choice {
     pub derived: Derived,
 }
 
-/// The function in the formulation that is wanted, where it has it, else in that with the fewest operations: what is
-/// emitted.
+/// The function in the formulation that is wanted, where it has it, else in that which costs least: what is emitted.
 pub fn choose(plans: &Plans<'_>, request: &Request, wanted: options::Formulation) -> Choice {
     let formulations = request.formulations();
     let of = |formulation| of_formulation(plans, request, formulation);
@@ -48,7 +52,8 @@ pub fn choose(plans: &Plans<'_>, request: &Request, wanted: options::Formulation
     {
         return recursive;
     }
-    of_at_most(plans, request, Formulation::Notes, count).unwrap_or(recursive)
+    let cost = cost(request, operations(&recursive.derived));
+    of_at_most(plans, request, Formulation::Notes, cost).unwrap_or(recursive)
 }
 
 /// True where the notes' values are long, and need more operations alone than this: their derivatives hardly ever need fewer.
@@ -64,7 +69,7 @@ pub fn of_formulation(plans: &Plans<'_>, request: &Request, formulation: Formula
     choice.expect("choose: some plan is the cheapest")
 }
 
-/// The same; `None` where it needs more than `most` operations.
+/// The same; `None` where it costs more than `most`.
 fn of_at_most(
     plans: &Plans<'_>,
     request: &Request,
@@ -74,7 +79,7 @@ fn of_at_most(
     let &Plans { tree, without, .. } = plans;
     let best = if request.takes_plan(formulation) {
         let best = cheapest(plans, request);
-        (operations(&best.derived).total() <= most).then_some(best)
+        (cost(request, operations(&best.derived)) <= most).then_some(best)
     } else {
         let plan = Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor));
         let ways = if request.differentiates() {

@@ -21,7 +21,7 @@ pub use cheapest::cheapest;
 pub use choose::{Choice, choose, of_formulation};
 pub(crate) use empty::warnings;
 pub(crate) use option_check::check as check_options;
-pub use planned::{Planned, by_plan, operations};
+pub use planned::{Planned, by_plan, cost, operations};
 pub use plans::Plans;
 pub use size_check::check as check_size;
 

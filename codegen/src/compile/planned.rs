@@ -17,6 +17,9 @@ pub(super) const MOST_NODES: usize = 400_000;
 /// What a sine costs above other operations: a plan that needs one angle more must save that much.
 const SINE: usize = 10;
 
+/// The same in a function that is given sines: it is asked for where none are to be computed.
+const SINE_OF_GIVEN: usize = 1_000_000;
+
 /// A plan of each part, and the function by these, as it would be emitted.
 #[derive(Clone, Debug)]
 pub struct Planned {
@@ -55,8 +58,12 @@ pub fn operations(derived: &Derived) -> Operations {
     Operations::of(&derived.graph, &derived.roots)
 }
 
-/// What plans are compared by.
-pub(super) fn cost(derived: &Derived) -> usize {
-    let operations = operations(derived);
-    operations.total() + SINE * operations.trig
+/// What a function with these operations costs: plans, ways to sweep and formulations are compared by it.
+pub fn cost(request: &Request, operations: Operations) -> usize {
+    let sine = if request.is_at_sin_cos() {
+        SINE_OF_GIVEN
+    } else {
+        SINE
+    };
+    operations.total() + sine * operations.trig
 }

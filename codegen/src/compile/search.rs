@@ -1,7 +1,7 @@
 //! The cheapest plan of the recursion for a function that differentiates nothing, by count.
 //!
 //! In: a tree, a function, the techniques that may not be used. Out: a [`Plan`]. Afterwards: of a function of up to `MOST_EXACT`
-//! nodes each technique that can matter was tried, used and left out, until none lowered the count, and axes were merged once
+//! nodes each technique that can matter was tried, used and left out, until none lowered the cost, and axes were merged once
 //! more; of larger ones each was tried once, before factoring. Choices link by link are tried until `MOST_NODES` were built, or
 //! `MOST_ASKED` sums and products were asked for.
 //! The same choices are tried in the same order on every machine.
@@ -17,7 +17,7 @@ use crate::{
 
 use super::{
     pipeline::{finished, with_sines},
-    planned::{MOST_NODES, cost},
+    planned::{MOST_NODES, cost, operations},
 };
 
 /// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
@@ -188,7 +188,7 @@ impl Search<'_> {
             (with_sines(tree, request, derived), n_nodes)
         };
         Count {
-            cost: cost(&derived),
+            cost: cost(request, operations(&derived)),
             n_nodes,
             n_asked,
         }

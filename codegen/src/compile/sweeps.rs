@@ -1,7 +1,7 @@
 //! The ways in which derivatives may be swept for: from inputs to outputs, or back.
 //!
 //! In: a tree, a function, a plan for its values. Out: the plan by each way that has a chance, one at least; the one of several
-//! arrangements with the fewest operations.
+//! arrangements that costs least.
 
 use std::{cell::LazyCell, collections::BTreeSet};
 
@@ -13,13 +13,13 @@ use crate::{
 
 use super::{
     pipeline::finished,
-    planned::{MOST_NODES, Planned, operations},
+    planned::{MOST_NODES, Planned, cost, operations},
 };
 
 /// How many times as much as the other a sweep may build beyond [`MOST_NODES`]: what entries have in common never makes up for more.
 const MOST_TIMES: usize = 8;
 
-/// How many times as much as the cheapest a way may need before its sums are factored, which hardly ever halves a count.
+/// How many times as much as the cheapest a way may cost before its sums are factored, which hardly ever halves a count.
 const MOST_FACTORED: usize = 2;
 
 /// The plan by each way that has a chance to be the cheaper one, forward first.
@@ -52,7 +52,7 @@ pub(super) fn ways(
     plans
 }
 
-/// The first of these with the fewest operations, and what it derives; `None` where each needs more than `most`.
+/// The first of these that costs least, and what it derives; `None` where each costs more than `most`.
 pub(super) fn fewest(
     tree: &Tree,
     request: &Request,
@@ -65,13 +65,13 @@ pub(super) fn fewest(
     // The last is the most promising.
     for arrangement in arrangements.into_iter().rev() {
         let derived = request.derive_arranged(tree, formulation, &arrangement);
-        if operations(&derived).total() > least.saturating_mul(MOST_FACTORED) {
+        if cost(request, operations(&derived)) > least.saturating_mul(MOST_FACTORED) {
             continue;
         }
         let derived = finished(tree, request, &arrangement, derived);
-        let count = operations(&derived).total();
-        if count <= least {
-            least = count;
+        let cost = cost(request, operations(&derived));
+        if cost <= least {
+            least = cost;
             best = Some(Planned {
                 arrangement,
                 derived,

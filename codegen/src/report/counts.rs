@@ -63,7 +63,7 @@ fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
     // The first of equals, as `compile::choose` takes it.
     let cheapest = formulations
         .iter()
-        .min_by_key(|(_, operations)| operations.total())
+        .min_by_key(|(_, operations)| compile::cost(function, *operations))
         .map(|(formulation, _)| *formulation);
     Counts {
         function: function.clone(),

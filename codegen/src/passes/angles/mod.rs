@@ -1,17 +1,21 @@
-//! Angles. Needs: nothing. Afterwards: no sine or cosine is taken of an angle that is a sum or difference of others whose sines and
+//! Angles. Needs: nothing. Afterwards: no sine or cosine is taken of an angle that is a sum of whole multiples of others whose sines and
 //! cosines are taken, and of what is known before the loop: they follow by the addition theorems. Keeps: the value of every root,
-//! up to rounding, and the graph where no angle is such a sum. Does not: ask whether a theorem has fewer operations than a sine.
+//! up to rounding, and the graph where no angle is such a sum. Does not: ask whether theorems have fewer operations than a sine.
+
+mod span;
+mod sum;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use self::{
+    span::Span,
+    sum::{Sum, Terms},
+};
 use super::{
     rebuild::Rebuilt,
     sines::{of_sum, without_crumb},
 };
 use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
-
-/// How often each node is added; what is subtracted counts less than nought times.
-type Terms = BTreeMap<NodeId, i32>;
 
 /// The graph with as few sines as that, and its roots.
 pub fn run(old: ExprGraph, roots: Vec<Expr>) -> (ExprGraph, Vec<Expr>) {
@@ -92,100 +96,80 @@ fn followed(
     // Short ones first: what is a sum follows from its terms.
     let order = sines.keys().map(|&angle| (sums[&angle].length(), angle));
     let order: BTreeSet<([usize; 2], NodeId)> = order.collect();
-    let mut taken: Vec<(NodeId, &Sum)> = Vec::new();
+    let mut taken = Vec::new();
+    let mut span = Span::default();
     let mut followed = Vec::new();
     for (_, angle) in order {
         let sum = &sums[&angle];
-        followed.push((angle, Follows::of(sum, &taken)));
+        let by_terms = Follows::by_terms(sum, &taken);
+        let by_angles = span.take(angle, &sum.varying);
+        let by_angles = by_angles.map(|angles| Follows::by_angles(sum, angles, &sums));
+        let follows = [by_terms, by_angles].into_iter().flatten();
+        followed.push((angle, follows.min_by_key(Follows::length)));
         taken.push((angle, sum));
     }
     followed
 }
 
-/// An angle as a sum.
-#[derive(Clone, Default)]
-struct Sum {
-    /// What depends on the state.
-    varying: Terms,
-    /// What is known before the loop.
-    known: Terms,
-}
-
-impl Sum {
-    /// A node, after the nodes that it is made of.
-    fn of(graph: &ExprGraph, sums: &BTreeMap<NodeId, Self>, id: NodeId) -> Self {
-        let mut sum = Self::default();
-        if graph.binding(id) != Binding::State {
-            sum.known.insert(id, 1);
-        } else if let Node::Add(a, b) = graph.node(id) {
-            for own in [a, b] {
-                sum.add(&sums[&own.node()], sign(own.is_negative()));
-            }
-        } else {
-            sum.varying.insert(id, 1);
-        }
-        sum
-    }
-
-    fn add(&mut self, other: &Self, times: i32) {
-        let both = [
-            (&mut self.varying, &other.varying),
-            (&mut self.known, &other.known),
-        ];
-        for (own, others) in both {
-            for (&id, often) in others {
-                *own.entry(id).or_default() += times * often;
-            }
-            own.retain(|_, often| *often != 0);
-        }
-    }
-
-    /// How many terms it has: those that vary, then those that are known.
-    fn length(&self) -> [usize; 2] {
-        [&self.varying, &self.known].map(BTreeMap::len)
-    }
-
-    /// True where all terms of another, or their negatives, are terms of this one.
-    fn has(&self, other: &Self, times: i32) -> bool {
-        !other.varying.is_empty()
-            && other.varying.iter().all(|(id, often)| {
-                let own = self.varying.get(id).copied().unwrap_or(0);
-                let often = times * often;
-                own.signum() == often.signum() && own.abs() >= often.abs()
-            })
-    }
-}
-
-fn sign(is_negative: bool) -> i32 {
-    if is_negative { -1 } else { 1 }
-}
-
-/// What an angle follows from: the sum of other angles, or their negatives, and of what is known.
+/// What an angle follows from: the sum of other angles, each added or subtracted, and of what is known.
 struct Follows {
     angles: Vec<(NodeId, bool)>,
     known: Terms,
 }
 
 impl Follows {
-    /// `None` where something is left that none of the angles has.
-    fn of(sum: &Sum, taken: &[(NodeId, &Sum)]) -> Option<Self> {
+    /// Of the longest angles that are part of it, one after the other. `None` where something is left that none of them has.
+    /// Short ones are taken before long ones.
+    fn by_terms(sum: &Sum, taken: &[(NodeId, &Sum)]) -> Option<Self> {
         let mut rest = sum.clone();
         let mut angles = Vec::new();
         while !rest.varying.is_empty() {
-            // The longest, of equals the first.
-            let found = taken.iter().rev().find_map(|&(angle, other)| {
-                let is_negative = [false, true].into_iter();
-                let mut found = is_negative.filter(|own| rest.has(other, sign(*own)));
-                found.next().map(|is_negative| (angle, other, is_negative))
-            });
-            let (angle, other, is_negative) = found?;
-            rest.add(other, -sign(is_negative));
+            let mut best: Option<(NodeId, bool, Sum)> = None;
+            let mut longest = 0;
+            for &(angle, other) in taken.iter().rev() {
+                if other.varying.len() < longest {
+                    break;
+                }
+                let signs = [(1, false), (-1, true)];
+                let fitting = signs.into_iter().find(|(times, _)| rest.has(other, *times));
+                let Some((times, is_negative)) = fitting else {
+                    continue;
+                };
+                longest = other.varying.len();
+                let mut left = rest.clone();
+                left.add(other, -times);
+                let is_shorter = |(_, _, known): &(_, _, Sum)| left.length() < known.length();
+                if best.as_ref().is_none_or(is_shorter) {
+                    best = Some((angle, is_negative, left));
+                }
+            }
+            let (angle, is_negative, left) = best?;
             angles.push((angle, is_negative));
+            rest = left;
         }
         Some(Self {
             angles,
             known: rest.known,
         })
+    }
+
+    /// Of angles, each as often as that.
+    fn by_angles(sum: &Sum, angles: Terms, sums: &BTreeMap<NodeId, Sum>) -> Self {
+        let mut rest = sum.clone();
+        let mut each = Vec::new();
+        for (angle, often) in angles {
+            rest.add(&sums[&angle], -often);
+            each.extend((0..often.abs()).map(|_| (angle, often < 0)));
+        }
+        Self {
+            angles: each,
+            known: rest.known,
+        }
+    }
+
+    /// How many theorems it takes.
+    fn length(&self) -> usize {
+        self.angles.len() + usize::from(!self.known.is_empty())
     }
 
     /// Its sine and cosine, of those of the others.
@@ -197,9 +181,8 @@ impl Follows {
     ) -> [Expr; 2] {
         let mut known = graph.zero();
         for (&id, &often) in &self.known {
-            let times = graph.number(f64::from(often));
-            let term = graph.mul(times, rebuilt.node(id));
-            known = graph.add(known, term);
+            let terms = (0..often.abs()).map(|_| rebuilt.node(id).signed(often < 0));
+            known = terms.fold(known, |sum, term| graph.add(sum, term));
         }
         let known = pair(graph, known).map(|entry| without_crumb(graph, entry));
         self.angles.iter().fold(known, |sum, (angle, is_negative)| {

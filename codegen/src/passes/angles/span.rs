@@ -1,0 +1,84 @@
+//! Which angles are whole multiples of others, added up: Gaussian elimination in whole numbers.
+
+use std::collections::BTreeMap;
+
+use super::sum::{Terms, add};
+use crate::expr::NodeId;
+
+/// Beyond this numbers are no longer exact enough to go on.
+const LARGEST: i64 = 1 << 24;
+
+/// Angles of which none follows from the others.
+#[derive(Default)]
+pub(super) struct Span {
+    rows: Vec<Row>,
+}
+
+/// A combination of angles, and the first term of it, which no later row has.
+struct Row {
+    pivot: NodeId,
+    terms: Terms,
+    angles: Terms,
+}
+
+/// What is left of an angle: `times` the angle is `terms` and the other angles, each as often as `angles` says.
+struct Reduced {
+    times: i64,
+    terms: Terms,
+    angles: Terms,
+}
+
+impl Span {
+    /// How often each of the angles is to be added to make this one, whose terms these are. If that cannot be said it joins them,
+    /// unless a fraction of them makes it.
+    pub(super) fn take(&mut self, angle: NodeId, terms: &Terms) -> Option<Terms> {
+        let Reduced {
+            times,
+            terms,
+            mut angles,
+        } = self.reduced(terms)?;
+        if let Some((&pivot, _)) = terms.first_key_value() {
+            angles.values_mut().for_each(|often| *often = -*often);
+            angles.insert(angle, times);
+            self.rows.push(Row {
+                pivot,
+                terms,
+                angles,
+            });
+            return None;
+        }
+        let is_whole = angles.values().all(|often| often % times == 0);
+        is_whole.then(|| {
+            let own = angles.into_iter();
+            own.map(|(id, often)| (id, often / times)).collect()
+        })
+    }
+
+    /// `None` where numbers grow too large.
+    fn reduced(&self, terms: &Terms) -> Option<Reduced> {
+        let mut left = Reduced {
+            times: 1,
+            terms: terms.clone(),
+            angles: BTreeMap::new(),
+        };
+        for row in &self.rows {
+            let Some(&often) = left.terms.get(&row.pivot) else {
+                continue;
+            };
+            let pivot = row.terms[&row.pivot];
+            if pivot != 1 {
+                left.times *= pivot;
+                for own in [&mut left.terms, &mut left.angles] {
+                    own.values_mut().for_each(|often| *often *= pivot);
+                }
+            }
+            add(&mut left.terms, &row.terms, -often);
+            add(&mut left.angles, &row.angles, often);
+            let all = left.terms.values().chain(left.angles.values());
+            if all.chain([&left.times]).any(|often| often.abs() > LARGEST) {
+                return None;
+            }
+        }
+        Some(left)
+    }
+}

@@ -1,0 +1,92 @@
+//! Angles as sums of terms.
+
+use std::collections::BTreeMap;
+
+use crate::expr::{Binding, ExprGraph, Node, NodeId};
+
+/// How often each node is added; what is subtracted counts less than nought times.
+pub(super) type Terms = BTreeMap<NodeId, i64>;
+
+/// Larger multiples of an angle are no sums.
+const MOST_TIMES: i64 = 8;
+
+/// An angle as a sum.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sum {
+    /// What depends on the state.
+    pub(super) varying: Terms,
+    /// What is known before the loop.
+    pub(super) known: Terms,
+}
+
+impl Sum {
+    /// A node, after the nodes that it is made of.
+    pub(super) fn of(graph: &ExprGraph, sums: &BTreeMap<NodeId, Self>, id: NodeId) -> Self {
+        let mut sum = Self::default();
+        if graph.binding(id) != Binding::State {
+            sum.known.insert(id, 1);
+            return sum;
+        }
+        match graph.node(id) {
+            Node::Add(a, b) => {
+                for own in [a, b] {
+                    let times = if own.is_negative() { -1 } else { 1 };
+                    sum.add(&sums[&own.node()], times);
+                }
+            }
+            Node::Mul(a, b) => match (times(graph, a), times(graph, b)) {
+                (Some(times), _) => sum.add(&sums[&b], times),
+                (_, Some(times)) => sum.add(&sums[&a], times),
+                _ => sum.add_one(id),
+            },
+            _ => sum.add_one(id),
+        }
+        sum
+    }
+
+    fn add_one(&mut self, id: NodeId) {
+        self.varying.insert(id, 1);
+    }
+
+    /// Adds another one so many times.
+    pub(super) fn add(&mut self, other: &Self, times: i64) {
+        add(&mut self.varying, &other.varying, times);
+        add(&mut self.known, &other.known, times);
+    }
+
+    /// How many terms it has: those that vary, then those that are known.
+    pub(super) fn length(&self) -> [usize; 2] {
+        [&self.varying, &self.known].map(BTreeMap::len)
+    }
+
+    /// True where so many times the terms of another are terms of this one.
+    pub(super) fn has(&self, other: &Self, times: i64) -> bool {
+        !other.varying.is_empty()
+            && other.varying.iter().all(|(id, often)| {
+                let own = self.varying.get(id).copied().unwrap_or(0);
+                let often = times * often;
+                own.signum() == often.signum() && own.abs() >= often.abs()
+            })
+    }
+}
+
+/// Adds other terms so many times; what is left of none is gone.
+pub(super) fn add(terms: &mut Terms, others: &Terms, times: i64) {
+    for (&id, often) in others {
+        *terms.entry(id).or_default() += times * often;
+    }
+    terms.retain(|_, often| *often != 0);
+}
+
+/// The small whole number that a node is.
+fn times(graph: &ExprGraph, id: NodeId) -> Option<i64> {
+    let Node::Number(bits) = graph.node(id) else {
+        return None;
+    };
+    let number = f64::from_bits(bits);
+    let mut all = (-MOST_TIMES..=MOST_TIMES).filter(|times| *times != 0);
+    all.find(|times| {
+        let times = i32::try_from(*times).expect("passes: few times");
+        f64::from(times).to_bits() == number.to_bits()
+    })
+}
