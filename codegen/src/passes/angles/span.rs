@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::sum::{Terms, add};
+use super::sum::{Terms, add, scale};
 use crate::expr::NodeId;
 
 /// Beyond this numbers are no longer exact enough to go on.
@@ -38,7 +38,7 @@ impl Span {
             mut angles,
         } = self.reduced(terms)?;
         if let Some((&pivot, _)) = terms.first_key_value() {
-            angles.values_mut().for_each(|often| *often = -*often);
+            scale(&mut angles, -1);
             angles.insert(angle, times);
             self.rows.push(Row {
                 pivot,
@@ -68,9 +68,8 @@ impl Span {
             let pivot = row.terms[&row.pivot];
             if pivot != 1 {
                 left.times *= pivot;
-                for own in [&mut left.terms, &mut left.angles] {
-                    own.values_mut().for_each(|often| *often *= pivot);
-                }
+                scale(&mut left.terms, pivot);
+                scale(&mut left.angles, pivot);
             }
             add(&mut left.terms, &row.terms, -often);
             add(&mut left.angles, &row.angles, often);

@@ -78,6 +78,13 @@ pub(super) fn add(terms: &mut Terms, others: &Terms, times: i64) {
     terms.retain(|_, often| *often != 0);
 }
 
+/// Makes it so many times as often.
+pub(super) fn scale(terms: &mut Terms, times: i64) {
+    for often in terms.values_mut() {
+        *often *= times;
+    }
+}
+
 /// The small whole number that a node is.
 fn times(graph: &ExprGraph, id: NodeId) -> Option<i64> {
     let Node::Number(bits) = graph.node(id) else {
