@@ -7,8 +7,8 @@ mod arranged;
 mod branches;
 mod cheapest;
 mod choose;
-mod empty;
 mod fields;
+mod in_vain;
 mod option_check;
 mod pipeline;
 mod planned;
@@ -19,7 +19,7 @@ mod sweeps;
 
 pub use cheapest::cheapest;
 pub use choose::{Choice, choose, of_formulation};
-pub(crate) use empty::warnings;
+pub(crate) use in_vain::warnings;
 pub(crate) use option_check::check as check_options;
 pub use planned::{Planned, by_plan, cost, operations};
 pub use plans::Plans;

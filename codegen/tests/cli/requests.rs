@@ -44,6 +44,19 @@ fn derivatives_by_values_that_are_not_there_are_told() {
 }
 
 #[test]
+fn prescribed_speeds_that_no_function_asks_for_are_told() {
+    let told = |functions: &str| {
+        let project = with_functions(&format!("{functions}\nprescribed = [\"fore\"]"));
+        let ran = project.kane(&["generate"]);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        ran.err.contains("`prescribed` changes nothing")
+    };
+    assert!(told(r#"["bias"]"#));
+    assert!(!told(r#"["bias+hybrid_dynamics"]"#));
+    assert!(!told(r#"["d(hybrid_dynamics)/d(q)"]"#));
+}
+
+#[test]
 fn all_unknown_frames_are_told_at_once() {
     let project = with_functions(r#"["pose(foer) + velocity(hand)", "imu(tool)"]"#);
     let ran = project.kane(&["generate"]);
