@@ -1,15 +1,14 @@
-//! The cheapest arrangement of a joined function: which parts are derived by one plan, which by a plan of their own, and which are
+//! The cheapest arrangement of a joined function: which parts are derived by one plan, which in a way of their own, and which are
 //! read off what others find.
 //!
-//! In: the function by one plan for all parts, and a plan of each part alone. Out: the cheapest [`Planned`]. Afterwards: it costs no
+//! In: the function by one plan for all parts, and how each part alone is derived. Out: the cheapest [`Planned`]. Afterwards: it costs no
 //! more than by one plan. What would take long is left as it is.
 
 use std::collections::BTreeSet;
 
 use super::planned::{MOST_NODES, Planned, cost, operations};
 use crate::{
-    functions::{Arrangement, Formulation, Request},
-    recursive::Plan,
+    functions::{Arrangement, Request},
     tree::Tree,
 };
 
@@ -18,7 +17,7 @@ pub(super) fn cheapest(
     tree: &Tree,
     request: &Request,
     together: Planned,
-    own: impl FnOnce() -> Vec<Plan>,
+    own: impl FnOnce() -> Vec<Arrangement>,
 ) -> Planned {
     if together.derived.graph.len() > MOST_NODES {
         return together;
@@ -32,7 +31,10 @@ pub(super) fn cheapest(
         best: together,
     };
     let together = search.best.arrangement.clone();
-    let own = Arrangement::new(own().into_iter());
+    let own = own().into_iter().enumerate();
+    let own = own.fold(together.clone(), |all, (place, own)| {
+        all.with_part(place, &own, 0)
+    });
     search.try_one(own.clone());
     for arrangement in [&together, &own] {
         search.try_one(search.apart(arrangement));
@@ -68,11 +70,11 @@ impl Search<'_> {
         })
     }
 
-    /// The part by its plan in these, read off and in its own way.
+    /// The part as it is in these, read off and in its own way.
     fn try_part(&mut self, place: usize, others: [&Arrangement; 2]) {
         for other in others {
             let best = &self.best.arrangement;
-            self.try_one(best.with_plan(place, other.plan(place).clone()));
+            self.try_one(best.with_part(place, other, place));
         }
         let best = &self.best.arrangement;
         if self.request.may_read_off(best, place) {
@@ -86,7 +88,7 @@ impl Search<'_> {
             return;
         }
         let &mut Self { tree, request, .. } = self;
-        let planned = Planned::new(tree, request, Formulation::Recursive, arrangement);
+        let planned = Planned::new(tree, request, arrangement);
         self.n_nodes += planned.derived.graph.len();
         let cost = cost(request, operations(&planned.derived));
         if cost < self.least {

@@ -3,13 +3,13 @@
 //! In: the plans of values, a function. Out: a [`Planned`] of the recursion. Columns of what is long go in lockstep.
 
 use crate::{
-    functions::{Formulation, Request},
+    functions::{Arrangement, Formulation, Request},
     passes::hoist::Preparation,
     recursive::{Plan, Technique},
 };
 
 use super::{
-    arranged,
+    arranged, notes,
     pipeline::{self, Lowering},
     planned::{MOST_NODES, Planned, operations},
     plans::Plans,
@@ -19,9 +19,18 @@ use super::{
 /// The operations of a function whose machine code fits into a processor's first cache, of 32 kB. Beyond, time goes by bytes of code.
 const MOST_CACHED: usize = 3_500;
 
-/// The function by the cheapest plan of each part that was found.
+/// The function by the cheapest plan of each part that was found; parts of a joined one may be by the notes.
 pub fn cheapest(plans: &Plans<'_>, request: &Request) -> Planned {
-    let best = one_by_one(plans, request);
+    found(plans, request, true)
+}
+
+/// The same with no part by the notes that can be by the recursion.
+pub(super) fn cheapest_recursion(plans: &Plans<'_>, request: &Request) -> Planned {
+    found(plans, request, false)
+}
+
+fn found(plans: &Plans<'_>, request: &Request, may_mix: bool) -> Planned {
+    let best = one_by_one(plans, request, may_mix);
     let has_columns = if request.differentiates() {
         best.arrangement.uses(Technique::DirectDerivatives)
     } else {
@@ -35,26 +44,28 @@ pub fn cheapest(plans: &Plans<'_>, request: &Request) -> Planned {
 }
 
 /// The same with no columns in lockstep.
-fn one_by_one(plans: &Plans<'_>, request: &Request) -> Planned {
+fn one_by_one(plans: &Plans<'_>, request: &Request, may_mix: bool) -> Planned {
     let together = by_one_plan(plans, request);
     if request.parts().len() == 1 {
         return together;
     }
     let own = || {
         let alone = request.alone();
-        alone.iter().map(|part| own_plan(plans, part)).collect()
+        let own = alone.iter().map(|part| own_way(plans, part, may_mix));
+        own.collect()
     };
     arranged::cheapest(plans.tree, request, together, own)
 }
 
-/// The cheapest plan of a single part.
-fn own_plan(plans: &Plans<'_>, part: &Request) -> Plan {
-    if part.differentiates() {
-        by_one_plan(plans, part).arrangement.plan(0).clone()
-    } else {
-        let plan = plans.of_values(part);
-        part.arranged_by(plans.tree, &plan).plan(0).clone()
+/// The cheapest way to derive a single part.
+fn own_way(plans: &Plans<'_>, part: &Request, may_mix: bool) -> Arrangement {
+    let has_choice = may_mix && part.formulations().len() > 1;
+    if !has_choice && !part.differentiates() {
+        return part.arranged_by(plans.tree, &plans.of_values(part));
     }
+    let recursive = by_one_plan(plans, part);
+    let notes = has_choice.then(|| notes::instead_of(plans, part, &recursive.derived));
+    notes.flatten().unwrap_or(recursive).arrangement
 }
 
 /// The function by the cheapest plan for all its parts.
@@ -64,7 +75,7 @@ fn by_one_plan(plans: &Plans<'_>, request: &Request) -> Planned {
     let &Plans { tree, without, .. } = plans;
     if !request.differentiates() {
         let arrangement = request.arranged_by(tree, &plans.of_values(request));
-        return Planned::new(tree, request, Formulation::Recursive, arrangement);
+        return Planned::new(tree, request, arrangement);
     }
     let forward = plans
         .of_values(&request.values())
@@ -93,13 +104,7 @@ fn by_one_plan(plans: &Plans<'_>, request: &Request) -> Planned {
         }
     }
     let ways = ways.iter().map(|plan| request.arranged_by(tree, plan));
-    let best = sweeps::fewest(
-        tree,
-        request,
-        Formulation::Recursive,
-        ways.collect(),
-        usize::MAX,
-    );
+    let best = sweeps::fewest(tree, request, ways.collect(), usize::MAX);
     best.expect("cheapest: one way has the least")
 }
 
@@ -119,7 +124,7 @@ fn in_lockstep(plans: &Plans<'_>, request: &Request, one_by_one: Planned) -> Pla
         pipeline::program(tree, request, derived, &mut preparation, Lowering::DEFAULT)
     };
     let with = |arrangement| {
-        let planned = Planned::new(tree, request, Formulation::Recursive, arrangement);
+        let planned = Planned::new(tree, request, arrangement);
         // A tenth more operations at most, which are counted first, and a fifth less text.
         if 10 * operations(&planned.derived).total() > 11 * least {
             return None;

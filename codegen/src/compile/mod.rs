@@ -9,6 +9,7 @@ mod cheapest;
 mod choose;
 mod fields;
 mod in_vain;
+mod notes;
 mod option_check;
 mod pipeline;
 mod planned;

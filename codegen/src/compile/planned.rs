@@ -1,6 +1,6 @@
-//! A function in one formulation, each part by a plan, as it would be emitted, and what that costs.
+//! A function, each part in a formulation by a plan, as it would be emitted, and what that costs.
 //!
-//! In: a function, a formulation, an arrangement. Out: its expressions after the passes that see one function alone, and their
+//! In: a function, an arrangement. Out: its expressions after the passes that see one function alone, and their
 //! operations in the loop. Does not: choose.
 
 use super::pipeline;
@@ -30,14 +30,9 @@ pub struct Planned {
 }
 
 impl Planned {
-    /// The function in this formulation by these plans.
-    pub(super) fn new(
-        tree: &Tree,
-        request: &Request,
-        formulation: Formulation,
-        arrangement: Arrangement,
-    ) -> Self {
-        let derived = request.derive_arranged(tree, formulation, &arrangement);
+    /// The function by this arrangement.
+    pub(super) fn new(tree: &Tree, request: &Request, arrangement: Arrangement) -> Self {
+        let derived = request.derive_arranged(tree, &arrangement);
         let derived = pipeline::finished(tree, request, &arrangement, derived);
         Self {
             arrangement,
@@ -50,7 +45,8 @@ impl Planned {
 /// where they are to be given.
 pub fn by_plan(tree: &Tree, request: &Request, formulation: Formulation, plan: &Plan) -> Derived {
     let arrangement = request.arranged_by(tree, plan);
-    Planned::new(tree, request, formulation, arrangement).derived
+    let arrangement = arrangement.with_formulation(formulation);
+    Planned::new(tree, request, arrangement).derived
 }
 
 /// The operations that are left in the loop.

@@ -9,7 +9,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::{
-    functions::{Formulation, Request},
+    functions::Request,
     id::BodyId,
     recursive::{self, Plan, Regroup, Technique},
     tree::Tree,
@@ -177,7 +177,7 @@ impl Search<'_> {
     fn counted(&self, plan: &Plan) -> Count {
         let &Self { tree, request, .. } = self;
         let arrangement = request.arranged_by(tree, plan);
-        let derived = request.derive_arranged(tree, Formulation::Recursive, &arrangement);
+        let derived = request.derive_arranged(tree, &arrangement);
         let n_asked = derived.graph.n_asked();
         let (derived, n_nodes) = if self.is_exact {
             let derived = finished(tree, request, &arrangement, derived);

@@ -56,7 +56,6 @@ pub(super) fn ways(
 pub(super) fn fewest(
     tree: &Tree,
     request: &Request,
-    formulation: Formulation,
     arrangements: Vec<Arrangement>,
     most: usize,
 ) -> Option<Planned> {
@@ -64,7 +63,7 @@ pub(super) fn fewest(
     let mut best = None;
     // The last is the most promising.
     for arrangement in arrangements.into_iter().rev() {
-        let derived = request.derive_arranged(tree, formulation, &arrangement);
+        let derived = request.derive_arranged(tree, &arrangement);
         if cost(request, operations(&derived)) > least.saturating_mul(MOST_FACTORED) {
             continue;
         }

@@ -1,8 +1,9 @@
 //! How the parts of a request are derived beside one another.
 
+use super::formulation::Formulation;
 use crate::recursive::{Plan, Technique};
 
-/// By which plan each part of a request is derived, and which of them may be read off what others find.
+/// In which formulation and by which plan each part of a request is derived, and which of them may be read off what others find.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Arrangement {
     parts: Vec<Arranged>,
@@ -10,20 +11,27 @@ pub struct Arrangement {
 
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Arranged {
+    formulation: Formulation,
     plan: Plan,
     is_read_off: bool,
 }
 
 impl Arrangement {
-    /// Each part by a plan of its own; what others find is read off.
+    /// Each part by the recursion, by a plan of its own; what others find is read off.
     pub fn new(plans: impl Iterator<Item = Plan>) -> Self {
         let part = |plan| Arranged {
+            formulation: Formulation::Recursive,
             plan,
             is_read_off: true,
         };
         Self {
             parts: plans.map(part).collect(),
         }
+    }
+
+    /// The formulation of the part in this place.
+    pub fn formulation(&self, place: usize) -> Formulation {
+        self.parts[place].formulation
     }
 
     /// The plan of the part in this place.
@@ -41,12 +49,25 @@ impl Arrangement {
         self.parts.iter().any(|part| part.plan.uses(technique))
     }
 
-    /// The same with another plan for one part.
+    /// The same with each part in this formulation.
     #[must_use]
-    pub fn with_plan(&self, place: usize, plan: Plan) -> Self {
-        let mut other = self.clone();
-        other.parts[place].plan = plan;
-        other
+    pub fn with_formulation(mut self, formulation: Formulation) -> Self {
+        for part in &mut self.parts {
+            part.formulation = formulation;
+        }
+        self
+    }
+
+    /// The same with one part in the formulation and by the plan of another arrangement's, which may stand elsewhere there.
+    #[must_use]
+    pub fn with_part(&self, place: usize, other: &Self, other_place: usize) -> Self {
+        let Arranged {
+            formulation, plan, ..
+        } = other.parts[other_place].clone();
+        let mut changed = self.clone();
+        let part = &mut changed.parts[place];
+        (part.formulation, part.plan) = (formulation, plan);
+        changed
     }
 
     /// The same with one part read off what others find, or derived in its own way though they do.

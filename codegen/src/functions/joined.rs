@@ -19,17 +19,13 @@ const NODES_PER_BODY: usize = 250;
 impl Request {
     /// Derives all parts by one plan.
     pub fn derive(&self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
-        self.derive_arranged(tree, formulation, &self.arranged_by(tree, plan))
+        let arrangement = self.arranged_by(tree, plan);
+        self.derive_arranged(tree, &arrangement.with_formulation(formulation))
     }
 
-    /// Derives all parts, each by its plan, or read off what others find where the arrangement says so. One that has a single
-    /// formulation takes no notice of `formulation`, and only what needs a plan of its plan.
-    pub fn derive_arranged(
-        &self,
-        tree: &Tree,
-        formulation: Formulation,
-        arrangement: &Arrangement,
-    ) -> Derived {
+    /// Derives all parts, each in its formulation by its plan, or read off what others find where the arrangement says so. One that has
+    /// a single formulation takes no notice of another, and only what needs a plan of its plan.
+    pub fn derive_arranged(&self, tree: &Tree, arrangement: &Arrangement) -> Derived {
         let mut derived = Derived {
             graph: ExprGraph::with_capacity(NODES_PER_BODY * tree.bodies.len()),
             ..Derived::default()
@@ -39,6 +35,7 @@ impl Request {
         let mut told = Told::default();
         for place in self.order() {
             let (part, plan) = (&parts[place], arrangement.plan(place));
+            let formulation = arrangement.formulation(place);
             derived.graph.enter(None);
             let is_read_off = arrangement.is_read_off(place);
             if let Some(entries) = part.told_by(&mut derived.graph, tree, plan, &told, is_read_off)
@@ -58,7 +55,7 @@ impl Request {
         derived
     }
 
-    /// One plan for all parts. Where one row is to be carried through a derivative it is, whatever is swept beside it. Second
+    /// The recursion by one plan for all parts. Where one row is to be carried through a derivative it is, whatever is swept beside it. Second
     /// derivatives go over a gradient that is carried back: one that is asked for beside them is the same.
     pub fn arranged_by(&self, tree: &Tree, plan: &Plan) -> Arrangement {
         let derivatives = self.parts().iter().filter(|part| part.derivative.is_some());
@@ -83,7 +80,8 @@ impl Request {
         let read = &self.parts()[place];
         let mut others = self.parts().iter().enumerate();
         others.any(|(other, part)| {
-            let is_direct = arrangement.plan(other).uses(Technique::DirectDerivatives);
+            let is_direct = arrangement.formulation(other) == Formulation::Recursive
+                && arrangement.plan(other).uses(Technique::DirectDerivatives);
             part.finds_matrix_of(read) && (is_direct || part.derivative.is_none())
         })
     }

@@ -64,7 +64,7 @@ fn mixed(request: &Request, tree: &Tree) -> Arrangement {
 }
 
 fn operations(tree: &Tree, request: &Request, arrangement: &Arrangement) -> usize {
-    let derived = request.derive_arranged(tree, Formulation::Recursive, arrangement);
+    let derived = request.derive_arranged(tree, arrangement);
     derived.graph.n_operations(&derived.roots)
 }
 
@@ -161,7 +161,7 @@ fn what_is_told_is_what_the_notes_say() {
                 mixed(&joined, &tree),
             ];
             for way in ways {
-                let derived = joined.derive_arranged(&tree, Formulation::Recursive, &way);
+                let derived = joined.derive_arranged(&tree, &way);
                 let graph = &derived.graph;
                 let found = graph.evaluate(&derived.roots, |given| input(&tree, &state, given));
                 let allowed = if inverts(&text) { INVERTED } else { EXACT };
