@@ -21,6 +21,7 @@ mod fused;
 mod hessians;
 mod hybrid;
 mod identities;
+mod joined;
 mod lockstep;
 mod multiply_add;
 mod number;
