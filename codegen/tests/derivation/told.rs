@@ -63,6 +63,14 @@ fn mixed(request: &Request, tree: &Tree) -> Arrangement {
     places.fold(own, |all, place| all.with_read_off(place, false))
 }
 
+/// By one plan, the parts from this one on every second one by the notes.
+fn by_both(request: &Request, tree: &Tree, plan: &Plan, first: usize) -> Arrangement {
+    let recursive = request.arranged_by(tree, plan);
+    let notes = recursive.clone().with_formulation(Formulation::Notes);
+    let places = (first..request.parts().len()).step_by(2);
+    places.fold(recursive, |all, place| all.with_part(place, &notes, place))
+}
+
 fn operations(tree: &Tree, request: &Request, arrangement: &Arrangement) -> usize {
     let derived = request.derive_arranged(tree, arrangement);
     derived.graph.n_operations(&derived.roots)
@@ -159,6 +167,8 @@ fn what_is_told_is_what_the_notes_say() {
                 joined.arranged_by(&tree, &one_by_one),
                 apart(&joined, &tree, &full),
                 mixed(&joined, &tree),
+                by_both(&joined, &tree, &one_by_one, 0),
+                by_both(&joined, &tree, &one_by_one, 1),
             ];
             for way in ways {
                 let derived = joined.derive_arranged(&tree, &way);
