@@ -164,11 +164,19 @@ fn the_runtime_is_the_one_on_which_the_package_depends() {
     );
     project.write("Cargo.toml", &manifest);
     project.write("src/lib.rs", "");
-    let mut command = project.command();
-    command.args(["verify", "--object", MODULE]);
-    command.env("CARGO_NET_OFFLINE", "true");
-    let ran = Ran::from(command.output().unwrap());
-    assert_eq!(ran.code, 0, "{}", ran.err);
+    let above = project.path("").join("..");
+    let module = project.path(MODULE);
+    for (folder, module) in [
+        (project.path(""), MODULE),
+        (above, module.to_str().unwrap()),
+    ] {
+        let mut command = project.command();
+        command.args(["verify", "--object", module]);
+        command.current_dir(folder);
+        command.env("CARGO_NET_OFFLINE", "true");
+        let ran = Ran::from(command.output().unwrap());
+        assert_eq!(ran.code, 0, "{}", ran.err);
+    }
 }
 
 #[test]

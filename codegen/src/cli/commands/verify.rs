@@ -74,7 +74,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     };
     let root = match &arguments.kane {
         Some(folder) => folder.join("src/lib.rs"),
-        None => depended_on(paths::parent(&arguments.modules[0]))?,
+        None => depended_on(&arguments.modules[0])?,
     };
     let runtime = Runtime::new(&root, &options)?;
     let mut failures = Failures::default();
@@ -127,8 +127,15 @@ fn value(path: &Path, report: &Report) -> Value {
     })
 }
 
-/// The root file of the crate `kane` that cargo compiles for the current folder's package.
-fn depended_on(folder: &Path) -> Result<PathBuf, Failures> {
+/// The root file of the crate `kane` that cargo compiles for the package of this module.
+fn depended_on(module: &Path) -> Result<PathBuf, Failures> {
+    // Of a module that is not there another error tells.
+    let folder = paths::parent(module);
+    let folder = if folder.is_dir() {
+        folder
+    } else {
+        Path::new(".")
+    };
     let failure = |what: &str| {
         Failures::message(format!(
             "{what}; the folder of the crate `kane` can be given with --kane"
