@@ -17,7 +17,7 @@ pub(super) fn cheapest(
     tree: &Tree,
     request: &Request,
     together: Planned,
-    own: impl FnOnce() -> Vec<Arrangement>,
+    own: impl FnOnce() -> Arrangement,
 ) -> Planned {
     if together.derived.graph.len() > MOST_NODES {
         return together;
@@ -31,10 +31,7 @@ pub(super) fn cheapest(
         best: together,
     };
     let together = search.best.arrangement.clone();
-    let own = own().into_iter().enumerate();
-    let own = own.fold(together.clone(), |all, (place, own)| {
-        all.with_part(place, &own, 0)
-    });
+    let own = own();
     search.try_one(own.clone());
     for arrangement in [&together, &own] {
         search.try_one(search.apart(arrangement));
@@ -74,7 +71,7 @@ impl Search<'_> {
     fn try_part(&mut self, place: usize, others: [&Arrangement; 2]) {
         for other in others {
             let best = &self.best.arrangement;
-            self.try_one(best.with_part(place, other, place));
+            self.try_one(best.with_part(place, other));
         }
         let best = &self.best.arrangement;
         if self.request.may_read_off(best, place) {

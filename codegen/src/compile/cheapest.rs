@@ -51,8 +51,7 @@ fn one_by_one(plans: &Plans<'_>, request: &Request, may_mix: bool) -> Planned {
     }
     let own = || {
         let alone = request.alone();
-        let own = alone.iter().map(|part| own_way(plans, part, may_mix));
-        own.collect()
+        Arrangement::concat(alone.iter().map(|part| own_way(plans, part, may_mix)))
     };
     arranged::cheapest(plans.tree, request, together, own)
 }

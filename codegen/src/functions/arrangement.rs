@@ -29,6 +29,13 @@ impl Arrangement {
         }
     }
 
+    /// The parts of several, one after the other.
+    pub fn concat(several: impl Iterator<Item = Self>) -> Self {
+        Self {
+            parts: several.flat_map(|one| one.parts).collect(),
+        }
+    }
+
     /// The formulation of the part in this place.
     pub fn formulation(&self, place: usize) -> Formulation {
         self.parts[place].formulation
@@ -58,15 +65,14 @@ impl Arrangement {
         self
     }
 
-    /// The same with one part in the formulation and by the plan of another arrangement's, which may stand elsewhere there.
+    /// The same with one part in the formulation and by the plan that it has in another arrangement.
     #[must_use]
-    pub fn with_part(&self, place: usize, other: &Self, other_place: usize) -> Self {
-        let Arranged {
-            formulation, plan, ..
-        } = other.parts[other_place].clone();
+    pub fn with_part(&self, place: usize, other: &Self) -> Self {
         let mut changed = self.clone();
-        let part = &mut changed.parts[place];
-        (part.formulation, part.plan) = (formulation, plan);
+        changed.parts[place] = Arranged {
+            is_read_off: self.is_read_off(place),
+            ..other.parts[place].clone()
+        };
         changed
     }
 

@@ -68,7 +68,7 @@ fn by_both(request: &Request, tree: &Tree, plan: &Plan, first: usize) -> Arrange
     let recursive = request.arranged_by(tree, plan);
     let notes = recursive.clone().with_formulation(Formulation::Notes);
     let places = (first..request.parts().len()).step_by(2);
-    places.fold(recursive, |all, place| all.with_part(place, &notes, place))
+    places.fold(recursive, |all, place| all.with_part(place, &notes))
 }
 
 fn operations(tree: &Tree, request: &Request, arrangement: &Arrangement) -> usize {

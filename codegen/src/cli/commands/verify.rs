@@ -129,7 +129,7 @@ fn value(path: &Path, report: &Report) -> Value {
 
 /// The root file of the crate `kane` that cargo compiles for the package of this module.
 fn depended_on(module: &Path) -> Result<PathBuf, Failures> {
-    // Of a module that is not there another error tells.
+    // Another error tells of a module that is not there.
     let folder = paths::parent(module);
     let folder = if folder.is_dir() {
         folder

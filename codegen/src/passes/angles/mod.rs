@@ -2,19 +2,14 @@
 //! cosines are taken, and of what is known before the loop: they follow by the addition theorems. Keeps: the value of every root,
 //! up to rounding, and the graph where no angle is such a sum. Does not: ask whether theorems have fewer operations than a sine.
 
+mod follows;
 mod span;
 mod sum;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use self::{
-    span::Span,
-    sum::{Sum, Terms},
-};
-use super::{
-    rebuild::Rebuilt,
-    sines::{of_sum, without_crumb},
-};
+use self::{follows::Follows, span::Span, sum::Sum};
+use super::rebuild::Rebuilt;
 use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
 
 /// The graph with as few sines as that, and its roots.
@@ -101,93 +96,12 @@ fn followed(
     let mut followed = Vec::new();
     for (_, angle) in order {
         let sum = &sums[&angle];
-        let by_terms = Follows::by_terms(sum, &taken);
-        let by_angles = span.take(angle, &sum.varying);
-        let by_angles = by_angles.map(|angles| Follows::by_angles(sum, angles, &sums));
-        let follows = [by_terms, by_angles].into_iter().flatten();
-        followed.push((angle, follows.min_by_key(Follows::length)));
+        let from_span = span.take(angle, &sum.varying);
+        let from_span = from_span.map(|angles| Follows::from_span(sum, &angles, &sums));
+        let ways = [Follows::of_longest(sum, &taken), from_span];
+        let shortest = ways.into_iter().flatten().min_by_key(Follows::length);
+        followed.push((angle, shortest));
         taken.push((angle, sum));
     }
     followed
-}
-
-/// What an angle follows from: the sum of other angles, each added or subtracted, and of what is known.
-struct Follows {
-    angles: Vec<(NodeId, bool)>,
-    known: Terms,
-}
-
-impl Follows {
-    /// Of the longest angles that are part of it, one after the other. `None` where something is left that none of them has.
-    /// Short ones are taken before long ones.
-    fn by_terms(sum: &Sum, taken: &[(NodeId, &Sum)]) -> Option<Self> {
-        let mut rest = sum.clone();
-        let mut angles = Vec::new();
-        while !rest.varying.is_empty() {
-            let mut best: Option<(NodeId, bool, Sum)> = None;
-            let mut longest = 0;
-            for &(angle, other) in taken.iter().rev() {
-                if other.varying.len() < longest {
-                    break;
-                }
-                let signs = [(1, false), (-1, true)];
-                let fitting = signs.into_iter().find(|(times, _)| rest.has(other, *times));
-                let Some((times, is_negative)) = fitting else {
-                    continue;
-                };
-                longest = other.varying.len();
-                let mut left = rest.clone();
-                left.add(other, -times);
-                let is_shorter = |(_, _, known): &(_, _, Sum)| left.length() < known.length();
-                if best.as_ref().is_none_or(is_shorter) {
-                    best = Some((angle, is_negative, left));
-                }
-            }
-            let (angle, is_negative, left) = best?;
-            angles.push((angle, is_negative));
-            rest = left;
-        }
-        Some(Self {
-            angles,
-            known: rest.known,
-        })
-    }
-
-    /// Of angles, each as often as that.
-    fn by_angles(sum: &Sum, angles: Terms, sums: &BTreeMap<NodeId, Sum>) -> Self {
-        let mut rest = sum.clone();
-        let mut each = Vec::new();
-        for (angle, often) in angles {
-            rest.add(&sums[&angle], -often);
-            each.extend((0..often.abs()).map(|_| (angle, often < 0)));
-        }
-        Self {
-            angles: each,
-            known: rest.known,
-        }
-    }
-
-    /// How many theorems it takes.
-    fn length(&self) -> usize {
-        self.angles.len() + usize::from(!self.known.is_empty())
-    }
-
-    /// Its sine and cosine, of those of the others.
-    fn pair(
-        &self,
-        graph: &mut ExprGraph,
-        rebuilt: &Rebuilt,
-        pairs: &BTreeMap<NodeId, [Expr; 2]>,
-    ) -> [Expr; 2] {
-        let mut known = graph.zero();
-        for (&id, &often) in &self.known {
-            let terms = (0..often.abs()).map(|_| rebuilt.node(id).signed(often < 0));
-            known = terms.fold(known, |sum, term| graph.add(sum, term));
-        }
-        let known = pair(graph, known).map(|entry| without_crumb(graph, entry));
-        self.angles.iter().fold(known, |sum, (angle, is_negative)| {
-            let [sine, cosine] = pairs[angle];
-            of_sum(graph, sum, [sine.signed(*is_negative), cosine])
-        })
-    }
 }
