@@ -36,7 +36,7 @@
 //! | Read a model, and collect every fault with its place. | [`description`], [`diagnostic`] |
 //! | Check all rules; number bodies, coordinates and parameters. | [`tree`] |
 //! | Turn equations into expressions: literally, and again with sums over bodies re-associated along the tree. | [`kane`], [`recursive`] |
-//! | Pick the form with fewer operations for each requested function. | [`functions`], [`compile`] |
+//! | Pick the form that costs less for each requested function. | [`functions`], [`compile`] |
 //! | Turn expressions into straight-line code. | [`passes`], [`program`] |
 //! | Name the values, and print the code as Rust, C and JSON. | [`listing`], [`printers`] |
 //!

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use super::planned::{MOST_NODES, Planned, cost, operations};
+use super::planned::{MOST_NODES, Planned, cost_of};
 use crate::{
     functions::{Arrangement, Request},
     tree::Tree,
@@ -25,7 +25,7 @@ pub(super) fn cheapest(
     let mut search = Search {
         tree,
         request,
-        least: cost(request, operations(&together.derived)),
+        least: cost_of(request, &together.derived),
         tried: BTreeSet::from([together.arrangement.clone()]),
         n_nodes: 0,
         best: together,
@@ -87,7 +87,7 @@ impl Search<'_> {
         let &mut Self { tree, request, .. } = self;
         let planned = Planned::new(tree, request, arrangement);
         self.n_nodes += planned.derived.graph.len();
-        let cost = cost(request, operations(&planned.derived));
+        let cost = cost_of(request, &planned.derived);
         if cost < self.least {
             (self.least, self.best) = (cost, planned);
         }

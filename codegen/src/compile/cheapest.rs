@@ -21,15 +21,15 @@ const MOST_CACHED: usize = 3_500;
 
 /// The function by the cheapest plan of each part that was found; parts of a joined one may be by the notes.
 pub fn cheapest(plans: &Plans<'_>, request: &Request) -> Planned {
-    found(plans, request, true)
+    cheapest_by(plans, request, true)
 }
 
 /// The same with no part by the notes that can be by the recursion.
 pub(super) fn cheapest_recursion(plans: &Plans<'_>, request: &Request) -> Planned {
-    found(plans, request, false)
+    cheapest_by(plans, request, false)
 }
 
-fn found(plans: &Plans<'_>, request: &Request, may_mix: bool) -> Planned {
+fn cheapest_by(plans: &Plans<'_>, request: &Request, may_mix: bool) -> Planned {
     let best = one_by_one(plans, request, may_mix);
     let has_columns = if request.differentiates() {
         best.arrangement.uses(Technique::DirectDerivatives)
@@ -51,13 +51,17 @@ fn one_by_one(plans: &Plans<'_>, request: &Request, may_mix: bool) -> Planned {
     }
     let own = || {
         let alone = request.alone();
-        Arrangement::concat(alone.iter().map(|part| own_way(plans, part, may_mix)))
+        Arrangement::concat(
+            alone
+                .iter()
+                .map(|part| cheapest_alone(plans, part, may_mix)),
+        )
     };
     arranged::cheapest(plans.tree, request, together, own)
 }
 
 /// The cheapest way to derive a single part.
-fn own_way(plans: &Plans<'_>, part: &Request, may_mix: bool) -> Arrangement {
+fn cheapest_alone(plans: &Plans<'_>, part: &Request, may_mix: bool) -> Arrangement {
     let has_choice = may_mix && part.formulations().len() > 1;
     if !has_choice && !part.differentiates() {
         return part.arranged_by(plans.tree, &plans.of_values(part));

@@ -1,8 +1,8 @@
 //! The formulation in which a function is emitted.
 //!
 //! In: a function, a formulation or none. Out: a [`Choice`]. Afterwards: it is the formulation that was asked for, where the
-//! function has it, or the one that costs less; of equals the notes'. Parts of a joined function may have different ones, if none
-//! was asked for: that is the recursion then.
+//! function has it, or the one that costs less; of equals the notes'. If none was asked for, parts of a joined
+//! function may have different ones, which counts as the recursion.
 
 use crate::{
     functions::{Derived, Formulation, Request},
@@ -58,11 +58,12 @@ pub fn choose(plans: &Plans<'_>, request: &Request, wanted: options::Formulation
 
 /// The function in this formulation, of which the cheapest is emitted.
 pub fn of_formulation(plans: &Plans<'_>, request: &Request, formulation: Formulation) -> Choice {
-    let planned = if request.takes_plan(formulation) {
-        cheapest(plans, request)
-    } else {
-        let notes = notes::at_most(plans, request, usize::MAX);
-        notes.expect("choose: one way has the least")
+    let planned = match formulation {
+        Formulation::Recursive => cheapest(plans, request),
+        Formulation::Notes => {
+            let notes = notes::at_most(plans, request, usize::MAX);
+            notes.expect("choose: one way has the least")
+        }
     };
     Choice::new(formulation, planned)
 }

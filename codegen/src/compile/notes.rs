@@ -1,7 +1,6 @@
 //! A function by the notes' equations as they stand.
 //!
-//! In: a function, what it costs otherwise. Out: its [`Planned`], if it costs no more. Does not: derive it where that is long, and
-//! never worth it.
+//! In: a function, what it costs by the recursion. Out: its [`Planned`], if it costs no more, and to find that out does not take long.
 
 use crate::{
     functions::{Derived, Formulation, Request},

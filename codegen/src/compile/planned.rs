@@ -54,6 +54,11 @@ pub fn operations(derived: &Derived) -> Operations {
     Operations::of(&derived.graph, &derived.roots)
 }
 
+/// What it costs.
+pub(super) fn cost_of(request: &Request, derived: &Derived) -> usize {
+    cost(request, operations(derived))
+}
+
 /// What a function with these operations costs: plans, ways to sweep and formulations are compared by it.
 pub fn cost(request: &Request, operations: Operations) -> usize {
     let sine = if request.is_at_sin_cos() {

@@ -17,7 +17,7 @@ use crate::{
 
 use super::{
     pipeline::{finished, with_sines},
-    planned::{MOST_NODES, cost, operations},
+    planned::{MOST_NODES, cost_of},
 };
 
 /// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
@@ -188,7 +188,7 @@ impl Search<'_> {
             (with_sines(tree, request, derived), n_nodes)
         };
         Count {
-            cost: cost(request, operations(&derived)),
+            cost: cost_of(request, &derived),
             n_nodes,
             n_asked,
         }

@@ -13,7 +13,7 @@ use crate::{
 
 use super::{
     pipeline::finished,
-    planned::{MOST_NODES, Planned, cost, operations},
+    planned::{MOST_NODES, Planned, cost_of},
 };
 
 /// How many times as much as the other a sweep may build beyond [`MOST_NODES`]: what entries have in common never makes up for more.
@@ -64,11 +64,11 @@ pub(super) fn fewest(
     // The last is the most promising.
     for arrangement in arrangements.into_iter().rev() {
         let derived = request.derive_arranged(tree, &arrangement);
-        if cost(request, operations(&derived)) > least.saturating_mul(MOST_FACTORED) {
+        if cost_of(request, &derived) > least.saturating_mul(MOST_FACTORED) {
             continue;
         }
         let derived = finished(tree, request, &arrangement, derived);
-        let cost = cost(request, operations(&derived));
+        let cost = cost_of(request, &derived);
         if cost <= least {
             least = cost;
             best = Some(Planned {

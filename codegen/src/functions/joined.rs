@@ -80,9 +80,10 @@ impl Request {
         let read = &self.parts()[place];
         let mut others = self.parts().iter().enumerate();
         others.any(|(other, part)| {
-            let is_direct = arrangement.formulation(other) == Formulation::Recursive
-                && arrangement.plan(other).uses(Technique::DirectDerivatives);
-            part.finds_matrix_of(read) && (is_direct || part.derivative.is_none())
+            let is_direct = arrangement.plan(other).uses(Technique::DirectDerivatives);
+            part.finds_matrix_of(read)
+                && arrangement.formulation(other) == Formulation::Recursive
+                && (is_direct || part.derivative.is_none())
         })
     }
 

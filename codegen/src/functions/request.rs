@@ -266,11 +266,6 @@ impl Request {
         parts.map(|part| part.n_numbers(tree)).sum()
     }
 
-    /// True where this formulation needs a plan, which is searched for.
-    pub fn takes_plan(&self, formulation: Formulation) -> bool {
-        formulation == Formulation::Recursive && self.formulations().contains(&formulation)
-    }
-
     /// True where some part is a derivative.
     pub fn differentiates(&self) -> bool {
         let mut parts = self.parts.iter();

@@ -5,7 +5,7 @@ use crate::functions;
 /// Which of the equations' forms to generate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Formulation {
-    /// For each function whichever needs fewer operations.
+    /// For each function whichever costs less: operations, a sine as eleven.
     #[default]
     Cheapest,
     /// The notes' equations as they stand.

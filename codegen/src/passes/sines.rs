@@ -112,8 +112,7 @@ impl Pairs<'_> {
     fn of_terms(&self, graph: &mut ExprGraph, rebuilt: &Rebuilt, id: NodeId) -> Option<[Expr; 2]> {
         if self.old.binding(id) != Binding::State {
             let angle = rebuilt.node(id);
-            let pair = [graph.sin(angle), graph.cos(angle)];
-            return Some(pair.map(|entry| without_crumb(graph, entry)));
+            return Some(of_angle(graph, angle).map(|entry| without_crumb(graph, entry)));
         }
         match self.old.node(id) {
             Node::Input(Input::Q(coordinate)) => {
@@ -127,6 +126,10 @@ impl Pairs<'_> {
             _ => None,
         }
     }
+}
+
+pub(super) fn of_angle(graph: &mut ExprGraph, angle: Expr) -> [Expr; 2] {
+    [graph.sin(angle), graph.cos(angle)]
 }
 
 /// `sin(a + b) = sin a cos b + cos a sin b`, `cos(a + b) = cos a cos b - sin a sin b`.

@@ -19,7 +19,7 @@ pub struct Counts {
     pub function: Request,
     /// Its formulations, each with the operations that it leaves in the loop.
     pub formulations: Vec<(Formulation, Operations)>,
-    /// The one with the fewest operations, which is what is generated where nothing else is asked for; `None` where the
+    /// The one that costs least, which is what is generated where nothing else is asked for; `None` where the
     /// function would be too large in each of them.
     pub cheapest: Option<Formulation>,
     /// Why it is too large, where it is so in some formulation.

@@ -107,7 +107,9 @@ fn expressions_of_one_formulation_have_the_bits_of_the_separate_ones() {
 fn shared_work_is_done_once() {
     for (model, tree) in models() {
         for joined in JOINED.into_iter().chain(TOLD) {
-            let whole = alone(&tree, joined).0.operations;
+            let whole = alone(&tree, joined).0;
+            let request = whole.request;
+            let whole = whole.operations;
             let (mut sum, mut most) = (Operations::default(), Operations::default());
             for part in joined.split('+') {
                 let part = alone(&tree, part).0.operations;
@@ -115,7 +117,7 @@ fn shared_work_is_done_once() {
                 most.trig = most.trig.max(part.trig);
             }
             // A sine costs more than another operation; alone, a part may take one more to save others.
-            let cost = |operations: Operations| operations.total() + 10 * operations.trig;
+            let cost = |operations: Operations| compile::cost(&request, operations);
             let shares = sum.trig > most.trig;
             assert!(
                 cost(whole) < cost(sum) || !shares,

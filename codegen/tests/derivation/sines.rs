@@ -153,9 +153,13 @@ fn an_angle_that_follows_another_with_a_ratio_is_computed_from_q() {
         let [plain, given] = both(function);
         let found = compiled(&tree, &[&plain, &given]);
         assert_eq!(found[&given].0.operations.trig, 2, "{function}");
-        // A joined function makes it of the sine and cosine of the other.
         let (values, expected) = (&found[&given].1, &found[&plain].1);
-        assert_close(function, values, expected, Tolerance::relative(1e-13));
+        if function.contains('+') {
+            // A joined function makes it of the sine and cosine of the other.
+            assert_close(function, values, expected, Tolerance::relative(1e-13));
+        } else {
+            assert_eq!(values, expected, "{function}");
+        }
     }
 }
 

@@ -33,7 +33,7 @@ pub(crate) struct OptionsArguments {
     functions: Option<Vec<String>>,
 
     /// How to compute sums over bodies: `notes`, term by term as in the lecture notes that docs/equations.md cites; `recursive`,
-    /// along the tree; `cheapest`, whichever needs fewer operations
+    /// along the tree; `cheapest`, whichever costs less
     #[arg(long, value_name = "WHICH", requires = "model", value_parser = one_of(Formulation::ALL))]
     formulation: Option<Formulation>,
 

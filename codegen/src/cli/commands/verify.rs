@@ -162,9 +162,11 @@ fn depended_on(module: &Path) -> Result<PathBuf, Failures> {
         .collect();
     match &roots[..] {
         [root] => Ok(root.clone()),
-        [] => Err(failure("the package here does not depend on `kane`")),
+        [] => Err(failure(
+            "the package of the module does not depend on `kane`",
+        )),
         _ => Err(failure(
-            "the package here depends on several versions of `kane`",
+            "the package of the module depends on several versions of `kane`",
         )),
     }
 }

@@ -2,17 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use super::{
-    pair,
-    sum::{Sum, Terms},
-};
+use super::sum::{Sum, Terms};
 use crate::{
     expr::{Expr, ExprGraph, NodeId},
     passes::{
         rebuild::Rebuilt,
-        sines::{of_sum, without_crumb},
+        sines::{of_angle, of_sum, without_crumb},
     },
 };
+
+/// The most terms of a sum: each but the first takes a theorem of six operations, and a sine with its cosine costs as much as 22.
+const MOST_TERMS: usize = 4;
 
 /// What an angle follows from: the sum of other angles, each added or subtracted, and of what is known.
 pub(super) struct Follows {
@@ -37,18 +37,31 @@ impl Follows {
         })
     }
 
-    /// Of angles, each as often as that.
-    pub(super) fn from_span(sum: &Sum, angles: &Terms, sums: &BTreeMap<NodeId, Sum>) -> Self {
+    /// Of angles, each as often as that; `None` where these are many.
+    pub(super) fn from_span(
+        sum: &Sum,
+        angles: &Terms,
+        sums: &BTreeMap<NodeId, Sum>,
+    ) -> Option<Self> {
+        let n_angles: u64 = angles.values().map(|often| often.unsigned_abs()).sum();
+        if n_angles > MOST_TERMS as u64 {
+            return None;
+        }
         let mut rest = sum.clone();
         let mut each = Vec::new();
         for (&angle, &often) in angles {
             rest.add(&sums[&angle], -often);
             each.extend((0..often.abs()).map(|_| (angle, often < 0)));
         }
-        Self {
+        Some(Self {
             angles: each,
             known: rest.known,
-        }
+        })
+    }
+
+    /// True where theorems cost less than a sine and a cosine.
+    pub(super) fn is_short(&self) -> bool {
+        self.length() <= MOST_TERMS
     }
 
     /// How many terms it is the sum of.
@@ -68,7 +81,7 @@ impl Follows {
             let terms = (0..often.abs()).map(|_| rebuilt.node(id).signed(often < 0));
             known = terms.fold(known, |sum, term| graph.add(sum, term));
         }
-        let known = pair(graph, known).map(|entry| without_crumb(graph, entry));
+        let known = of_angle(graph, known).map(|entry| without_crumb(graph, entry));
         self.angles.iter().fold(known, |sum, (angle, is_negative)| {
             let [sine, cosine] = pairs[angle];
             of_sum(graph, sum, [sine.signed(*is_negative), cosine])

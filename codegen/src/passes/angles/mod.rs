@@ -1,6 +1,6 @@
-//! Angles. Needs: nothing. Afterwards: no sine or cosine is taken of an angle that is a sum of whole multiples of others whose sines and
-//! cosines are taken, and of what is known before the loop: they follow by the addition theorems. Keeps: the value of every root,
-//! up to rounding, and the graph where no angle is such a sum. Does not: ask whether theorems have fewer operations than a sine.
+//! Angles. Needs: nothing. Afterwards: no sine or cosine is taken of an angle that is a short sum of others whose sines and cosines are
+//! taken, some of them negative or several times, and of what is known before the loop: they follow by the addition theorems. Keeps:
+//! the value of every root, up to rounding, and the graph where no angle is such a sum.
 
 mod follows;
 mod span;
@@ -9,19 +9,19 @@ mod sum;
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::{follows::Follows, span::Span, sum::Sum};
-use super::rebuild::Rebuilt;
+use super::{rebuild::Rebuilt, sines::of_angle};
 use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
 
 /// The graph with as few sines as that, and its roots.
 pub fn run(old: ExprGraph, roots: Vec<Expr>) -> (ExprGraph, Vec<Expr>) {
-    let sines = sines(&old, &roots);
+    let needed = old.reachable(&roots);
+    let sines = sines(&old, &needed);
     let angles: Vec<Expr> = sines.keys().copied().map(Expr::of).collect();
     let within = old.reachable(&angles);
     let followed = followed(&old, &sines, &within);
     if followed.iter().all(|(_, follows)| follows.is_none()) {
         return (old, roots);
     }
-    let needed = old.reachable(&roots);
     let mut graph = ExprGraph::with_capacity(old.len());
     let mut rebuilt = Rebuilt::new(&old);
     let copy = |graph: &mut ExprGraph, rebuilt: &mut Rebuilt, id: NodeId| {
@@ -38,7 +38,7 @@ pub fn run(old: ExprGraph, roots: Vec<Expr>) -> (ExprGraph, Vec<Expr>) {
         graph.enter_like(&old, sines[angle]);
         let pair = match follows {
             Some(follows) => follows.pair(&mut graph, &rebuilt, &pairs),
-            None => pair(&mut graph, rebuilt.node(*angle)),
+            None => of_angle(&mut graph, rebuilt.node(*angle)),
         };
         pairs.insert(*angle, pair);
     }
@@ -60,13 +60,8 @@ pub fn run(old: ExprGraph, roots: Vec<Expr>) -> (ExprGraph, Vec<Expr>) {
     (graph, roots)
 }
 
-fn pair(graph: &mut ExprGraph, angle: Expr) -> [Expr; 2] {
-    [graph.sin(angle), graph.cos(angle)]
-}
-
 /// The angles whose sines or cosines are needed in the loop, each with the first of these.
-fn sines(graph: &ExprGraph, roots: &[Expr]) -> BTreeMap<NodeId, NodeId> {
-    let needed = graph.reachable(roots);
+fn sines(graph: &ExprGraph, needed: &[bool]) -> BTreeMap<NodeId, NodeId> {
     let mut sines = BTreeMap::new();
     for id in graph.ids().filter(|id| needed[id.index()]) {
         if let Node::Sin(angle) | Node::Cos(angle) = graph.node(id)
@@ -97,10 +92,10 @@ fn followed(
     for (_, angle) in order {
         let sum = &sums[&angle];
         let from_span = span.take(angle, &sum.varying);
-        let from_span = from_span.map(|angles| Follows::from_span(sum, &angles, &sums));
+        let from_span = from_span.and_then(|angles| Follows::from_span(sum, &angles, &sums));
         let ways = [Follows::of_longest(sum, &taken), from_span];
-        let shortest = ways.into_iter().flatten().min_by_key(Follows::length);
-        followed.push((angle, shortest));
+        let short = ways.into_iter().flatten().filter(Follows::is_short);
+        followed.push((angle, short.min_by_key(Follows::length)));
         taken.push((angle, sum));
     }
     followed

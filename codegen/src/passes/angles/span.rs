@@ -29,8 +29,8 @@ struct Reduced {
 }
 
 impl Span {
-    /// How often each of the angles is to be added to make this one, whose terms these are. If that cannot be said it joins them,
-    /// unless a fraction of them makes it.
+    /// How often each of the angles is to be added to make this one, whose terms these are; `None` where no whole numbers do. It joins
+    /// them if it does not follow from them.
     pub(super) fn take(&mut self, angle: NodeId, terms: &Terms) -> Option<Terms> {
         let Reduced {
             times,
@@ -66,11 +66,9 @@ impl Span {
                 continue;
             };
             let pivot = row.terms[&row.pivot];
-            if pivot != 1 {
-                left.times *= pivot;
-                scale(&mut left.terms, pivot);
-                scale(&mut left.angles, pivot);
-            }
+            left.times *= pivot;
+            scale(&mut left.terms, pivot);
+            scale(&mut left.angles, pivot);
             add(&mut left.terms, &row.terms, -often);
             add(&mut left.angles, &row.angles, often);
             let all = left.terms.values().chain(left.angles.values());

@@ -8,7 +8,7 @@ use crate::expr::{Binding, ExprGraph, Node, NodeId};
 pub(super) type Terms = BTreeMap<NodeId, i64>;
 
 /// Larger multiples of an angle are no sums.
-const MOST_TIMES: i64 = 8;
+const MOST_TIMES: i32 = 4;
 
 /// An angle as a sum.
 #[derive(Clone, Debug, Default)]
@@ -34,18 +34,13 @@ impl Sum {
                     sum.add(&sums[&own.node()], times);
                 }
             }
-            Node::Mul(a, b) => match (times(graph, a), times(graph, b)) {
-                (Some(times), _) => sum.add(&sums[&b], times),
-                (_, Some(times)) => sum.add(&sums[&a], times),
-                _ => sum.add_one(id),
-            },
-            _ => sum.add_one(id),
+            // A number is the first factor.
+            Node::Mul(a, b) if let Some(times) = times(graph, a) => sum.add(&sums[&b], times),
+            _ => {
+                sum.varying.insert(id, 1);
+            }
         }
         sum
-    }
-
-    fn add_one(&mut self, id: NodeId) {
-        self.varying.insert(id, 1);
     }
 
     /// Adds another one so many times.
@@ -90,10 +85,7 @@ fn times(graph: &ExprGraph, id: NodeId) -> Option<i64> {
     let Node::Number(bits) = graph.node(id) else {
         return None;
     };
-    let number = f64::from_bits(bits);
-    let mut all = (-MOST_TIMES..=MOST_TIMES).filter(|times| *times != 0);
-    all.find(|times| {
-        let times = i32::try_from(*times).expect("passes: few times");
-        f64::from(times).to_bits() == number.to_bits()
-    })
+    let mut all = 1..=MOST_TIMES;
+    let found = all.find(|times| f64::from(*times).to_bits() == bits)?;
+    Some(found.into())
 }

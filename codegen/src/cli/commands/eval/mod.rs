@@ -82,7 +82,7 @@ pub(crate) struct Arguments {
     #[arg(long, short, value_name = "FILE")]
     state: Option<PathBuf>,
 
-    /// How to compute sums over bodies: `notes`, `recursive`, or `cheapest`, whichever needs fewer operations
+    /// How to compute sums over bodies: `notes`, `recursive`, or `cheapest`, whichever costs less
     #[arg(long, value_name = "WHICH", value_parser = parse::one_of(Formulation::ALL))]
     formulation: Option<Formulation>,
 

@@ -49,7 +49,7 @@ use crate::cli::{
     partitions      body, and W, V_O, V_G: the numbers of the partitions that are not zero; null for more than 250 bodies\n  \
     parameters      name, body (null: the system), nominal, unit\n  \
     functions       name, default (in the default set), formulations (notes, recursive: total, mul, add, div, trig),\n                  \
-    cheapest (the one with fewer operations). A formulation that would be too large is absent; if both\n                  \
+    cheapest (the one that costs less: a sine counts as eleven operations). A formulation that would be too large is absent; if both\n                  \
     are, cheapest is null. Beyond 100 speeds or parts: only what --functions names\n\n\
     Examples:\n  \
     kane info models/arm.toml\n  \
