@@ -27,18 +27,18 @@ impl Sum {
             sum.known.insert(id, 1);
             return sum;
         }
-        match graph.node(id) {
-            Node::Add(a, b) => {
-                for own in [a, b] {
-                    let times = if own.is_negative() { -1 } else { 1 };
-                    sum.add(&sums[&own.node()], times);
-                }
+        let node = graph.node(id);
+        if let Node::Add(a, b) = node {
+            for own in [a, b] {
+                let times = if own.is_negative() { -1 } else { 1 };
+                sum.add(&sums[&own.node()], times);
             }
-            // A number is the first factor.
-            Node::Mul(a, b) if let Some(times) = times(graph, a) => sum.add(&sums[&b], times),
-            _ => {
-                sum.varying.insert(id, 1);
-            }
+        } else if let Node::Mul(number, angle) = node
+            && let Some(times) = times(graph, number)
+        {
+            sum.add(&sums[&angle], times);
+        } else {
+            sum.varying.insert(id, 1);
         }
         sum
     }
