@@ -67,14 +67,22 @@
 //! | [`BaseRegressor`] | `base_regressor(q, u, u_dot, y)` | `Row`, `Rows`, `NAMES`, `TERMS` | (36), (43) |
 //! | [`JointRegressor`] | `joint_regressor(q, u, u_dot, y)` | `Terms` | |
 //! | [`Pose`] of a frame | `pose(q, rotation, position)` | `[[R; 3]; 3]`, `[R; 3]` | (3), (22) |
+//! | [`Position`] of a frame | `position(q, position)` | `[R; 3]` | (22) |
 //! | [`Velocity`] of a frame | `velocity(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | (25), (11) |
+//! | [`LinearVelocity`] of a frame | `linear_velocity(q, u, linear)` | `[R; 3]` | (25) |
 //! | [`Acceleration`] of a frame | `acceleration(q, u, u_dot, linear, angular)` | `[R; 3]`, `[R; 3]` | before (33) |
+//! | [`LinearAcceleration`] of a frame | `linear_acceleration(q, u, u_dot, linear)` | `[R; 3]` | before (33) |
 //! | [`Jacobian`] of a frame | `jacobian(q, linear, angular)` | `[U; 3]`, `[U; 3]`, `SPEEDS` | (28), (15) |
 //! | [`JacobianPacked`] of a frame | `jacobian_packed(q, linear, angular)` | `[Columns; 3]`, `[Columns; 3]`, `SPEEDS` | (28), (15) |
 //! | [`PointJacobian`] of a frame | `point_jacobian(q, point, linear, angular)` | `[U; 3]`, `[U; 3]`, `SPEEDS` | (28), (15) |
+//! | [`LinearJacobian`] of a frame | `linear_jacobian(q, linear)` | `[U; 3]`, `SPEEDS` | (28) |
+//! | [`LinearJacobianPacked`] of a frame | `linear_jacobian_packed(q, linear)` | `[Columns; 3]`, `SPEEDS` | (28) |
 //! | [`JacobianDotU`] of a frame | `jacobian_dot_u(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | (34), (20) |
+//! | [`LinearJacobianDotU`] of a frame | `linear_jacobian_dot_u(q, u, linear)` | `[R; 3]` | (34) |
 //! | [`GeneralizedForce`] of a frame | `generalized_force(q, force, moment, tau)` | `U` | (36) |
+//! | [`LinearGeneralizedForce`] of a frame | `linear_generalized_force(q, force, tau)` | `U` | (36) |
 //! | [`OperationalInverseInertia`] of frames | `operational_inverse_inertia(q, inverse_inertia)` | `Row`, `Rows` | `J M⁻¹ Jᵀ` |
+//! | [`LinearOperationalInverseInertia`] of frames | `linear_operational_inverse_inertia(q, inverse_inertia)` | `Row`, `Rows` | `J M⁻¹ Jᵀ` |
 //! | [`Imu`] of a frame | `imu(q, u, u_dot, specific_force, angular_velocity)` | `[R; 3]`, `[R; 3]` | before (33) |
 //!
 //! Derivatives of forward and inverse dynamics have traits too: [`ForwardDynamicsDerivatives`] (by `q`, `u`, `tau`), `..AndDerivatives`,
@@ -458,6 +466,7 @@ pub trait CentroidalMomentumMatrixDotU<R: Real>: System<R> {
 
 mod derivatives;
 mod frames;
+mod linear;
 mod regressors;
 
 pub use derivatives::{
@@ -470,6 +479,10 @@ pub use derivatives::{
 pub use frames::{
     Acceleration, GeneralizedForce, Imu, Jacobian, JacobianDotU, JacobianPacked, Local,
     OperationalInverseInertia, PointJacobian, Pose, Seen, Velocity,
+};
+pub use linear::{
+    LinearAcceleration, LinearGeneralizedForce, LinearJacobian, LinearJacobianDotU,
+    LinearJacobianPacked, LinearOperationalInverseInertia, LinearVelocity, Position,
 };
 pub use regressors::{
     BaseParameters, BaseRegressor, InertialParameters, JointRegressor, Regressor, RegressorPacked,

@@ -46,6 +46,8 @@ pub enum Dimension {
     FrameSpeeds,
     /// The components of frames' motions and of the wrenches on them: six a frame, linear before angular.
     FrameComponents,
+    /// The components of velocities of frames' origins and of the forces there: three a frame.
+    FramePoints,
     /// The entries of a derivative that are not structurally zero, with their places beside the function.
     Entries,
 }
@@ -96,9 +98,11 @@ impl Dimension {
             Self::Speeds => tree.n_speeds,
             Self::Packed(packed) => packed.places(tree).len(),
             Self::Bodies => tree.bodies.len(),
-            Self::Columns | Self::FrameSpeeds | Self::FrameComponents | Self::Entries => {
-                return None;
-            }
+            Self::Columns
+            | Self::FrameSpeeds
+            | Self::FrameComponents
+            | Self::FramePoints
+            | Self::Entries => return None,
         })
     }
 
@@ -111,6 +115,7 @@ impl Dimension {
             | Self::Columns
             | Self::FrameSpeeds
             | Self::FrameComponents
+            | Self::FramePoints
             | Self::Entries => None,
             Self::Coordinates => Some(N_COORDINATES),
             Self::Speeds => Some(N_SPEEDS),
@@ -147,6 +152,7 @@ impl Dimension {
             Self::Columns => "a column",
             Self::FrameSpeeds => "a speed that moves the frame",
             Self::FrameComponents => "a component of a frame",
+            Self::FramePoints => "a component of a frame's origin",
             Self::Entries => "an entry",
         }
     }
@@ -207,6 +213,8 @@ impl Shape {
     /// `[[R; 6]; 6]`, of one frame.
     pub const FRAME_MATRIX: Self =
         Self::of(&[Dimension::FrameComponents, Dimension::FrameComponents]);
+    /// `[[R; 3]; 3]`, of the origin of one frame.
+    pub const POINT_MATRIX: Self = Self::of(&[Dimension::FramePoints, Dimension::FramePoints]);
     /// `[R; NAME_LEN]`, of a packed derivative.
     pub const ENTRIES: Self = Self::of(&[Dimension::Entries]);
     /// `[[R; 3]; NAME_COLUMNS]`.

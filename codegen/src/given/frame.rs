@@ -24,6 +24,15 @@ pub struct FrameMotion {
     pub angular: Vector,
 }
 
+/// What acts on a frame.
+#[derive(Clone, Copy, Debug)]
+pub struct FrameWrench {
+    /// At its origin.
+    pub force: Vector,
+    /// About it.
+    pub moment: Vector,
+}
+
 /// From the internal axes of the body that holds a frame to the frame's.
 pub fn frame_rotation(graph: &mut ExprGraph, tree: &Tree, frame: NamedFrame) -> Matrix {
     graph.enter(tree.frame_body(frame));
@@ -36,10 +45,20 @@ pub fn frame_rotation(graph: &mut ExprGraph, tree: &Tree, frame: NamedFrame) -> 
 }
 
 /// The force and the moment that a frame is given.
-pub fn frame_wrench(graph: &mut ExprGraph) -> (Vector, Vector) {
-    let force = [0, 1, 2].map(|axis| graph.input(Input::FrameForce(axis)));
+pub fn frame_wrench(graph: &mut ExprGraph) -> FrameWrench {
     let moment = [0, 1, 2].map(|axis| graph.input(Input::FrameMoment(axis)));
-    (force, moment)
+    FrameWrench {
+        moment,
+        ..frame_force(graph)
+    }
+}
+
+/// The force that a frame is given, without a moment.
+pub fn frame_force(graph: &mut ExprGraph) -> FrameWrench {
+    FrameWrench {
+        force: [0, 1, 2].map(|axis| graph.input(Input::FrameForce(axis))),
+        moment: graph.zero_vector(),
+    }
 }
 
 /// The position of a point that a frame is given, from its origin, along its axes.

@@ -12,7 +12,10 @@ pub mod mechanics;
 mod numbers;
 pub mod orientation;
 
-pub use frame::{FrameMotion, FramePose, frame_origin, frame_point, frame_rotation, frame_wrench};
+pub use frame::{
+    FrameMotion, FramePose, FrameWrench, frame_force, frame_origin, frame_point, frame_rotation,
+    frame_wrench,
+};
 pub use joint::{
     Accelerations, acceleration, attachment, coordinate, offset, shift_directions, shift_speeds,
     speed,

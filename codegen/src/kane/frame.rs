@@ -7,7 +7,9 @@ use super::{
 };
 use crate::{
     expr::{Expr, ExprGraph, Matrix, Vector, negated, transpose},
-    given::{self, Accelerations, FrameMotion, FramePose, frame_origin, frame_rotation},
+    given::{
+        self, Accelerations, FrameMotion, FramePose, FrameWrench, frame_origin, frame_rotation,
+    },
     id::{BodyMap, SpeedId},
     partition::Row,
     tree::{NamedFrame, Tree},
@@ -156,19 +158,34 @@ pub fn seen_jacobian(
 }
 
 /// `J^T` of a wrench at the frame's origin, inertial components: Eq. (36).
-pub fn generalized_force(graph: &mut ExprGraph, tree: &Tree, frame: NamedFrame) -> Vec<Expr> {
+pub fn generalized_force(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    frame: NamedFrame,
+    wrench: FrameWrench,
+) -> Vec<Expr> {
     let columns = jacobian(graph, tree, frame, None);
-    projected(graph, tree, &columns)
+    projected(graph, tree, &columns, wrench)
 }
 
 /// The same, components along the frame's own axes.
-pub fn local_generalized_force(graph: &mut ExprGraph, tree: &Tree, frame: NamedFrame) -> Vec<Expr> {
+pub fn local_generalized_force(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    frame: NamedFrame,
+    wrench: FrameWrench,
+) -> Vec<Expr> {
     let columns = local_jacobian(graph, tree, frame, None);
-    projected(graph, tree, &columns)
+    projected(graph, tree, &columns, wrench)
 }
 
-fn projected(graph: &mut ExprGraph, tree: &Tree, columns: &[(SpeedId, FrameMotion)]) -> Vec<Expr> {
-    let (force, moment) = given::frame_wrench(graph);
+fn projected(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    columns: &[(SpeedId, FrameMotion)],
+    wrench: FrameWrench,
+) -> Vec<Expr> {
+    let FrameWrench { force, moment } = wrench;
     let mut tau = vec![graph.zero(); tree.n_speeds];
     for (speed, FrameMotion { linear, angular }) in columns {
         let (along, about) = (graph.dot(*linear, force), graph.dot(*angular, moment));

@@ -352,20 +352,27 @@ fn frames_of_robots() {
         );
         let requests = [
             format!("pose({frame})"),
+            format!("position({frame})"),
             format!("velocity({frame})"),
+            format!("linear_velocity({frame})"),
             format!("velocity({frame}, local)"),
             format!("pose({frame})+velocity({frame})"),
             format!("acceleration({frame})"),
+            format!("linear_acceleration({frame})"),
             format!("acceleration({frame}, local)"),
             format!("jacobian({frame})"),
+            format!("linear_jacobian({frame})"),
             format!("jacobian({frame}, local)"),
             format!("jacobian_packed({frame})"),
             format!("point_jacobian({frame})"),
             format!("jacobian_dot_u({frame})"),
+            format!("linear_jacobian_dot_u({frame})"),
             format!("generalized_force({frame})"),
+            format!("linear_generalized_force({frame})"),
             format!("generalized_force({frame}, local)"),
             format!("imu({frame})"),
             format!("operational_inverse_inertia({frame})"),
+            format!("linear_operational_inverse_inertia({frame})"),
             format!("pose({frame})+jacobian({frame})"),
         ];
         let functions = Functions::Named(requests.to_vec());

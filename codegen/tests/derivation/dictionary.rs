@@ -12,6 +12,10 @@ fn names_of_other_tools_lead_to_ours() {
         ("computeMinverse", "mass_matrix_inverse"),
         ("mj_jac", "jacobian(FRAME)"),
         ("computeFrameJacobian", "jacobian(FRAME)"),
+        (
+            "CalcJacobianTranslationalVelocity",
+            "linear_jacobian(FRAME)",
+        ),
         ("computeCoriolisMatrix", "coriolis_matrix"),
         ("MassMatrix", "mass_matrix"),
         ("CalcMassMatrix", "mass_matrix"),
@@ -34,6 +38,10 @@ fn unknown_names_are_met_with_advice() {
     assert_eq!(
         advice("tool0_point_jacobian"),
         "did you mean `point_jacobian(tool0)`?"
+    );
+    assert_eq!(
+        advice("tool0_linear_jacobian"),
+        "did you mean `linear_jacobian(tool0)`?"
     );
     for (name, request) in [
         ("d_forward_dynamics", "d(forward_dynamics)/d(q, u, tau)"),
@@ -74,5 +82,5 @@ fn unknown_names_are_met_with_advice() {
         advice("inverse_kinematics"),
         "`kane::inverse_kinematics` does that in Rust, for every system"
     );
-    insta::assert_snapshot!(advice("jerk"), @"`kane info MODEL --functions all` lists those of a system; those of a frame are pose, velocity, acceleration, jacobian, jacobian_packed, point_jacobian, jacobian_dot_u, generalized_force, imu, operational_inverse_inertia");
+    insta::assert_snapshot!(advice("jerk"), @"`kane info MODEL --functions all` lists those of a system; those of a frame are pose, position, velocity, acceleration, jacobian, jacobian_packed, point_jacobian, jacobian_dot_u, generalized_force, imu, operational_inverse_inertia, and some of its origin alone, as linear_jacobian");
 }

@@ -34,7 +34,7 @@ pub(crate) const INVERTED: f64 = 5e-12;
 
 /// How far two ways to what is asked for may be apart.
 fn allowed(text: &str) -> f64 {
-    if text.starts_with("operational") {
+    if text.contains("operational") {
         INVERTED
     } else {
         EXACT

@@ -22,6 +22,7 @@ mod hessians;
 mod hybrid;
 mod identities;
 mod joined;
+mod linear;
 mod lockstep;
 mod multiply_add;
 mod number;

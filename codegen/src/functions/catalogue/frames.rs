@@ -11,8 +11,8 @@ use crate::functions::{
     unit::{FORCE, LEVER, TURNING, Unit},
 };
 
-const ANY_VIEW: Of = Of::Frame(&[View::Inertial, View::Local, View::Other]);
-const OWN_VIEWS: Of = Of::Frame(&[View::Inertial, View::Local]);
+pub(super) const ANY_VIEW: Of = Of::Frame(&[View::Inertial, View::Local, View::Other]);
+pub(super) const OWN_VIEWS: Of = Of::Frame(&[View::Inertial, View::Local]);
 
 /// A vector of the origin, then an angular one, each with what it means.
 const fn motion(

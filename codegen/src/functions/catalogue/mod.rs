@@ -7,6 +7,7 @@ mod energy;
 mod frames;
 mod hybrid;
 mod kinematics;
+mod linear;
 mod loaded;
 mod matrices;
 mod regressor;
@@ -76,17 +77,25 @@ pub static CATALOGUE: [Function; 58] = [
 ];
 
 /// Every function of a frame, in the order in which a module holds them.
-pub static OF_FRAMES: [Function; 10] = [
+pub static OF_FRAMES: [Function; 18] = [
     frames::POSE,
+    linear::POSITION,
     frames::VELOCITY,
+    linear::LINEAR_VELOCITY,
     frames::ACCELERATION,
+    linear::LINEAR_ACCELERATION,
     frames::JACOBIAN,
     frames::JACOBIAN_PACKED,
     frames::POINT_JACOBIAN,
+    linear::LINEAR_JACOBIAN,
+    linear::LINEAR_JACOBIAN_PACKED,
     frames::JACOBIAN_DOT_U,
+    linear::LINEAR_JACOBIAN_DOT_U,
     frames::GENERALIZED_FORCE,
+    linear::LINEAR_GENERALIZED_FORCE,
     frames::IMU,
     frames::OPERATIONAL_INVERSE_INERTIA,
+    linear::LINEAR_OPERATIONAL_INVERSE_INERTIA,
 ];
 
 impl Function {

@@ -70,7 +70,7 @@ pub fn advice(name: &str) -> String {
         "quotes stand around one name, not around a request".to_owned()
     } else {
         format!(
-            "`kane info MODEL --functions all` lists those of a system; those of a frame are {}",
+            "`kane info MODEL --functions all` lists those of a system; those of a frame are {}, and some of its origin alone, as linear_jacobian",
             of_frames().join(", ")
         )
     }
@@ -89,10 +89,12 @@ fn is_list(name: &str) -> bool {
 }
 
 /// The functions of frames.
+/// The names of functions of frames, but for those that leave out what is angular.
 fn of_frames() -> Vec<&'static str> {
     let functions = Function::all();
     let functions = functions.filter(|own| !matches!(own.of, Of::System));
-    functions.map(|own| own.name).collect()
+    let names = functions.map(|own| own.name);
+    names.filter(|own| !own.starts_with("linear_")).collect()
 }
 
 /// What to do about a name that is no frame, if it is known to be something else.

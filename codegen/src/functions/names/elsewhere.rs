@@ -2,7 +2,7 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, and other names of the same.
-pub(super) const REQUESTS: [(&str, &[&str]); 41] = [
+pub(super) const REQUESTS: [(&str, &[&str]); 46] = [
     (
         "inverse_dynamics",
         &["rnea", "rne", "id", "newtoneuler", "mjinverse"],
@@ -76,6 +76,10 @@ pub(super) const REQUESTS: [(&str, &[&str]); 41] = [
         ],
     ),
     (
+        "position(FRAME)",
+        &["frameposition", "endeffectorposition", "pointposition"],
+    ),
+    (
         "velocity(FRAME)",
         &[
             "framevelocity",
@@ -87,6 +91,10 @@ pub(super) const REQUESTS: [(&str, &[&str]); 41] = [
         ],
     ),
     (
+        "linear_velocity(FRAME)",
+        &["pointvelocity", "translationalvelocity"],
+    ),
+    (
         "acceleration(FRAME)",
         &[
             "frameacceleration",
@@ -96,6 +104,10 @@ pub(super) const REQUESTS: [(&str, &[&str]); 41] = [
             "spatialacceleration",
             "bodyspatialaccelerationinworld",
         ],
+    ),
+    (
+        "linear_acceleration(FRAME)",
+        &["pointacceleration", "translationalacceleration"],
     ),
     (
         "jacobian(FRAME)",
@@ -117,6 +129,16 @@ pub(super) const REQUESTS: [(&str, &[&str]); 41] = [
     ),
     ("jacobian(FRAME, local)", &["bodyjacobian", "jacobe"]),
     (
+        "linear_jacobian(FRAME)",
+        &[
+            "jacp",
+            "translationaljacobian",
+            "translationjacobian",
+            "positionjacobian",
+            "jacobiantranslationalvelocity",
+        ],
+    ),
+    (
         "jacobian_dot_u(FRAME)",
         &[
             "jacobiantimevariation",
@@ -130,6 +152,10 @@ pub(super) const REQUESTS: [(&str, &[&str]); 41] = [
             "drift",
             "driftacceleration",
         ],
+    ),
+    (
+        "linear_jacobian_dot_u(FRAME)",
+        &["biastranslationalacceleration"],
     ),
     ("generalized_force(FRAME)", &["mjapplyft", "wrench"]),
     (

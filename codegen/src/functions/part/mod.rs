@@ -128,6 +128,7 @@ impl Part {
         match &self.subject {
             Some(subject) if writes(Dimension::FrameSpeeds) => subject.n_speeds,
             Some(subject) if writes(Dimension::FrameComponents) => 6 * subject.frames.len(),
+            Some(subject) if writes(Dimension::FramePoints) => 3 * subject.frames.len(),
             _ => 0,
         }
     }

@@ -148,6 +148,7 @@ impl Part {
             }
             (Dimension::FrameSpeeds, Some(subject)) => subject.speeds(tree).len(),
             (Dimension::FrameComponents, Some(subject)) => 6 * subject.frames.len(),
+            (Dimension::FramePoints, Some(subject)) => 3 * subject.frames.len(),
             _ => n_columns,
         }
     }
@@ -158,6 +159,7 @@ impl Part {
             (Dimension::Entries, _) => Length::Constant(self.len_constant()),
             (Dimension::FrameSpeeds, Some(_)) => Length::Constant(self.speeds_len_constant()),
             (Dimension::FrameComponents, Some(subject)) => Length::Number(6 * subject.frames.len()),
+            (Dimension::FramePoints, Some(subject)) => Length::Number(3 * subject.frames.len()),
             _ => Length::Constant(self.function.compact_columns_constant()),
         }
     }

@@ -7,7 +7,7 @@ use crate::{
         formulation::Way,
         subject::{Subject, View},
     },
-    given::{Accelerations, FrameMotion, FramePose, frame_point},
+    given::{Accelerations, FrameMotion, FramePose, FrameWrench, frame_point, frame_wrench},
     id::SpeedId,
     kane::frame as notes,
     recursive::frame as recursive,
@@ -133,14 +133,25 @@ pub(in crate::functions) fn generalized_force(
     way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
+    let wrench = frame_wrench(graph);
+    of_wrench(graph, tree, way, subject, wrench)
+}
+
+pub(super) fn of_wrench(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    way: Way<'_>,
+    subject: &Subject,
+    wrench: FrameWrench,
+) -> Vec<Expr> {
     let frame = subject.frame();
     match (way, subject.view) {
         (Way::Recursive(plan), View::Local) => {
-            recursive::local_generalized_force(graph, tree, plan, frame)
+            recursive::local_generalized_force(graph, tree, plan, frame, wrench)
         }
-        (Way::Recursive(plan), _) => recursive::generalized_force(graph, tree, plan, frame),
-        (Way::Notes, View::Local) => notes::local_generalized_force(graph, tree, frame),
-        (Way::Notes, _) => notes::generalized_force(graph, tree, frame),
+        (Way::Recursive(plan), _) => recursive::generalized_force(graph, tree, plan, frame, wrench),
+        (Way::Notes, View::Local) => notes::local_generalized_force(graph, tree, frame, wrench),
+        (Way::Notes, _) => notes::generalized_force(graph, tree, frame, wrench),
     }
 }
 
@@ -150,14 +161,25 @@ pub(in crate::functions) fn operational_inverse_inertia(
     way: Way<'_>,
     subject: &Subject,
 ) -> Vec<Expr> {
+    projected(graph, tree, way, subject, 6)
+}
+
+/// `J M^-1 J^T` of the first rows of each frame's Jacobian.
+pub(super) fn projected(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    way: Way<'_>,
+    subject: &Subject,
+    rows_per_frame: usize,
+) -> Vec<Expr> {
     let factors = dynamics::factors(graph, tree, way);
-    let mut rows = Vec::with_capacity(6 * subject.frames.len());
+    let mut rows = Vec::with_capacity(rows_per_frame * subject.frames.len());
     for frame in &subject.frames {
         let columns = columns(graph, tree, way, subject, (frame.frame, None));
         let entries = whole(graph, tree, subject, columns);
-        // No speed, no motion: six rows of nothing.
+        // No speed, no motion: rows of nothing.
         let row = |row: usize| entries[row * tree.n_speeds..][..tree.n_speeds].to_vec();
-        rows.extend((0..6).map(row));
+        rows.extend((0..rows_per_frame).map(row));
     }
     factors.projected(graph, rows).concat()
 }

@@ -12,6 +12,7 @@ pub(super) mod frames;
 pub(super) mod hybrid;
 pub(super) mod jacobians;
 pub(super) mod kinematics;
+pub(super) mod linear;
 pub(super) mod loaded;
 pub(super) mod matrices;
 pub(super) mod regressor;

@@ -110,7 +110,7 @@ fn associated(alone: &catalogue::Function, output: Option<&Declared>) -> TokenSt
             };
             quote!(type Columns = #row;)
         }
-        Shape::FRAME_MATRIX => {
+        Shape::FRAME_MATRIX | Shape::POINT_MATRIX => {
             let row = output.map(|output| signature::held(&output.row(), "R"));
             quote!(type Row = #row; type Rows = #output_type;)
         }

@@ -3,7 +3,7 @@
 use super::reach::{Reach, path};
 use crate::{
     expr::{Expr, ExprGraph, Purpose, Vector, transpose},
-    given,
+    given::FrameWrench,
     id::BodyId,
     recursive::{
         forces::inverse_dynamics::Acting,
@@ -24,12 +24,13 @@ pub fn generalized_force(
     tree: &Tree,
     plan: &Plan,
     frame: NamedFrame,
+    wrench: FrameWrench,
 ) -> Vec<Expr> {
     let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::FrameForce);
     let path = path(tree, frame);
     let mut coming = Coming {
-        wrench: given(graph),
+        wrench: Wrench::from(wrench),
         at_motions: Vec::new(),
     };
     for &body in path.iter().rev() {
@@ -58,12 +59,13 @@ pub fn local_generalized_force(
     tree: &Tree,
     plan: &Plan,
     frame: NamedFrame,
+    wrench: FrameWrench,
 ) -> Vec<Expr> {
     let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::FrameForce);
     let Reach { axes, position } = Reach::of(graph, tree, &links, frame);
     let back = transpose(&axes);
-    let wrench = given(graph).map(|v| graph.mul_vector(&back, v));
+    let wrench = Wrench::from(wrench).map(|v| graph.mul_vector(&back, v));
     let mut tau = vec![graph.zero(); tree.n_speeds];
     let mut acting = Acting {
         wrench: wrench.moved(graph, position),
@@ -78,9 +80,10 @@ pub fn local_generalized_force(
     tau
 }
 
-fn given(graph: &mut ExprGraph) -> Wrench {
-    let (force, moment) = given::frame_wrench(graph);
-    Wrench { force, moment }
+impl From<FrameWrench> for Wrench {
+    fn from(FrameWrench { force, moment }: FrameWrench) -> Self {
+        Self { force, moment }
+    }
 }
 
 /// A wrench that is given, on its way outward.

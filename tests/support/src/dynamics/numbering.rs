@@ -103,7 +103,9 @@ fn places_of(shape: Shape, maps: &Maps, own: &Own) -> Vec<usize> {
             Dimension::Bodies => &maps.bodies,
             Dimension::BaseParameters => &own.base,
             Dimension::Columns => unreachable!("spread over bodies and speeds"),
-            Dimension::FrameSpeeds | Dimension::FrameComponents => unreachable!("of a frame"),
+            Dimension::FrameSpeeds | Dimension::FrameComponents | Dimension::FramePoints => {
+                unreachable!("of a frame")
+            }
         };
         gathered = gathered
             .iter()
