@@ -34,17 +34,8 @@ const MOST_STARTS: usize = 1_500;
 pub(super) fn plan(tree: &Tree, request: &Request, without: &BTreeSet<Technique>) -> Plan {
     let mut counts = Counts::new();
     let mut best: Option<Found> = None;
-    // Which way inertias are best regrouped depends most on these two.
-    let starts: [&[Technique]; 4] = [
-        &[],
-        &[Technique::Balance],
-        &[Technique::Slide],
-        &[Technique::Balance, Technique::Slide],
-    ];
-    let says_something =
-        |start: &&[Technique]| request.reads_inertias() || !start.contains(&Technique::Balance);
-    for left_out in starts.into_iter().filter(says_something) {
-        let found = from(tree, request, without, left_out, &mut counts);
+    for left_out in starts(request) {
+        let found = from(tree, request, without, &left_out, &mut counts);
         let is_small = found.n_first <= MOST_STARTS;
         if best.as_ref().is_none_or(|best| found.least < best.least) {
             best = Some(found);
@@ -54,6 +45,26 @@ pub(super) fn plan(tree: &Tree, request: &Request, without: &BTreeSet<Technique>
         }
     }
     best.expect("search: one start is made").plan
+}
+
+/// What is left out where the search starts: which way inertias are best regrouped depends most on the first two, what is best for a
+/// frame on how it passes.
+fn starts(request: &Request) -> Vec<Vec<Technique>> {
+    use Technique::{Balance, Inward, Levers, Slide};
+    let mut starts = vec![vec![], vec![Slide]];
+    if request.reads_inertias() {
+        starts = vec![vec![], vec![Balance], vec![Slide], vec![Balance, Slide]];
+    }
+    if request.is_of_frames() {
+        let others = [vec![Inward], vec![Inward, Levers]];
+        let beside = |other: &Vec<Technique>| {
+            let starts = starts.iter().map(|own| [&own[..], other].concat());
+            starts.collect::<Vec<_>>()
+        };
+        let others: Vec<_> = others.iter().flat_map(beside).collect();
+        starts.extend(others);
+    }
+    starts
 }
 
 /// What a search found.
@@ -105,7 +116,7 @@ fn from(
     search.try_all(&plan);
     search.try_solving_by_columns();
     search.try_solving_by_factors();
-    search.try_none(without);
+    search.try_none(&plan, without);
     search.try_parallel_axes();
     search.try_regrouping();
     search.try_single_techniques(without);
@@ -229,11 +240,15 @@ impl Search<'_> {
         }
     }
 
-    /// No technique at all: on a small tree each may cost something before the others save more.
-    fn try_none(&mut self, without: &BTreeSet<Technique>) {
+    /// No technique at all but how frames pass: on a small tree each may cost something before the others save more.
+    fn try_none(&mut self, start: &Plan, without: &BTreeSet<Technique>) {
         if self.is_exact {
             let factor = !without.contains(&Technique::Factor);
-            self.try_one(Plan::plain(self.tree).with(Technique::Factor, factor));
+            let mut plain = Plan::plain(self.tree).with(Technique::Factor, factor);
+            for way in [Technique::Inward, Technique::Levers] {
+                plain.set(way, self.request.is_of_frames() && start.uses(way));
+            }
+            self.try_one(plain);
         }
     }
 
@@ -298,7 +313,7 @@ impl Search<'_> {
             Technique::Articulated => self.factors_have_a_chance(),
             Technique::LinkAxes | Technique::Fall => self.request.solves(),
             Technique::Carriers => self.request.inverts(),
-            Technique::Inward => self.request.is_of_frames(),
+            Technique::Inward | Technique::Levers => self.request.is_of_frames(),
             Technique::DirectDerivatives | Technique::Reverse | Technique::Lockstep => false,
             Technique::Slide
             | Technique::Turn

@@ -25,8 +25,10 @@ pub enum Technique {
     /// What the inertial frame feels of a joint's motion is taken there at once, past joints at the same point, or left out where
     /// it feels nothing of it.
     Shortcut,
-    /// Where a frame is passes inward from it, and not outward from the inertial frame.
+    /// Where a frame is, and its Jacobian's columns, pass inward from it, and not outward from the inertial frame.
     Inward,
+    /// Where they do not, levers pass inward beside axes that pass outward, and are not added up from steps along these axes.
+    Levers,
     /// Accelerations are solved for by articulated bodies.
     Articulated,
     /// Accelerations of joints that move freely about or along all axes are solved for along the link's axes.
@@ -50,7 +52,7 @@ pub enum Technique {
 
 impl Technique {
     /// All of them, with the names that they have in `kane.toml`.
-    pub const ALL: [(&str, Self); 16] = [
+    pub const ALL: [(&str, Self); 17] = [
         ("slide", Self::Slide),
         ("turn", Self::Turn),
         ("regroup", Self::Regroup),
@@ -59,6 +61,7 @@ impl Technique {
         ("second_moments", Self::SecondMoments),
         ("shortcut", Self::Shortcut),
         ("inward", Self::Inward),
+        ("levers", Self::Levers),
         ("articulated", Self::Articulated),
         ("link_axes", Self::LinkAxes),
         ("carriers", Self::Carriers),

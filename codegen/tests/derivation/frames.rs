@@ -14,7 +14,7 @@ use kane_codegen::{
     functions::{Argument, Formulation, Function, OF_FRAMES, Of, Parsed, Request, View},
     id::ParameterId,
     options,
-    recursive::Plan,
+    recursive::{Plan, Technique},
     tree::{self, Changes, Tree},
 };
 use kane_test_support::{
@@ -168,7 +168,9 @@ fn functions_of_frames_are_the_same_in_both_formulations() {
                 let notes = evaluate(&tree, &request, Formulation::Notes, &state);
                 let full = Plan::full(&tree);
                 let turning = full.with_parallel(None, false);
-                for plan in [Plan::plain(&tree), full, turning] {
+                let levers = full.with(Technique::Inward, false);
+                let steps = levers.with(Technique::Levers, false);
+                for plan in [Plan::plain(&tree), full, turning, levers, steps] {
                     let by = Formulation::Recursive;
                     let recursive = evaluate_by(&tree, &request, by, &plan, &state);
                     let error = relative(&recursive, &notes);

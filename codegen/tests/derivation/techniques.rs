@@ -232,6 +232,7 @@ fn every_technique_has_its_gain() {
 fn of_dynamics() -> impl Iterator<Item = (&'static str, Technique)> {
     let others = [
         Technique::Inward,
+        Technique::Levers,
         Technique::DirectDerivatives,
         Technique::Reverse,
         Technique::Carriers,

@@ -3,13 +3,18 @@
 //! In: a tree, a plan, a frame that has a name. Out: expressions equal to those of [`kane::frame`](crate::kane::frame), by walks
 //! of passengers: what is wanted as it is seen from somewhere is walked there, so that no rotation of a body is needed beside.
 
+mod columns;
 mod force;
+mod jacobian;
+mod levers;
 mod motion;
+mod own;
 mod pose;
 mod reach;
-mod seen;
+mod steps;
+mod way;
 
 pub use force::{generalized_force, local_generalized_force};
+pub use jacobian::{jacobian, local_jacobian};
 pub use motion::{acceleration, imu, local_acceleration, local_velocity, velocity};
 pub use pose::pose;
-pub use seen::{jacobian, local_jacobian};

@@ -1,9 +1,6 @@
 //! Where a frame is.
 
-use super::{
-    reach::{Reach, path},
-    seen,
-};
+use super::{levers, steps, way::Way};
 use crate::{
     expr::{ExprGraph, Matrix, Purpose, Vector},
     given::FramePose,
@@ -12,7 +9,6 @@ use crate::{
         links::{
             link::{self, Link},
             passage::{Drive, Passenger},
-            root,
             rotation::Turn,
         },
         plan::{Plan, Technique},
@@ -31,29 +27,30 @@ pub fn pose(
     frame: NamedFrame,
     from: Option<NamedFrame>,
 ) -> FramePose {
-    if from.is_some() || !plan.uses(Technique::Inward) {
-        return seen::pose(graph, tree, plan, frame, from);
-    }
     let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
-    let mut carried = Carried::of(graph, tree, &links, frame);
-    for (place, body) in path(tree, frame).into_iter().enumerate() {
-        graph.enter(body);
-        let link = &links[body];
-        let phased = link.phased(graph, &carried.axes).filter(|_| place == 0);
-        let passage = match phased {
-            None => link.passage.clone(),
-            Some(phased) => {
-                carried.axes = phased.axes;
-                carried.position = phased.turn.forward(graph, carried.position);
-                phased.passage
-            }
-        };
-        passage.inward(graph, &mut carried);
-        if tree.lower(body).is_none() {
-            let origin = root::origin(graph, tree, link, body);
-            carried.position = graph.add_vectors(carried.position, origin);
-        }
+    match from {
+        None if plan.uses(Technique::Inward) => inward(graph, tree, &links, frame),
+        _ if plan.uses(Technique::Levers) => levers::pose(graph, tree, &links, frame, from),
+        _ => steps::pose(graph, tree, &links, frame, from),
+    }
+}
+
+/// As it is seen from the inertial frame, all of it carried inward.
+fn inward(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    links: &BodyMap<Link>,
+    frame: NamedFrame,
+) -> FramePose {
+    let (way, reach) = Way::aligned(graph, tree, links, frame, None);
+    let mut carried = Carried {
+        axes: reach.axes,
+        n_last: 0,
+        position: reach.position,
+    };
+    for &body in &way.ahead {
+        way.inward(graph, body, &mut carried);
         graph.name_vector(carried.position, "reach");
     }
     let [x, y, mut z] = carried.axes;
@@ -74,17 +71,6 @@ struct Carried {
     /// How many operations the last row alone has needed.
     n_last: usize,
     position: Vector,
-}
-
-impl Carried {
-    fn of(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>, frame: NamedFrame) -> Self {
-        let Reach { axes, position } = Reach::of(graph, tree, links, frame);
-        Self {
-            axes,
-            n_last: 0,
-            position,
-        }
-    }
 }
 
 impl Passenger for Carried {

@@ -1,7 +1,7 @@
 //! A frame in the link that holds it.
 
 use crate::{
-    expr::{ExprGraph, Matrix, Vector},
+    expr::{ExprGraph, Matrix, Vector, transpose},
     given::{frame_origin, frame_rotation},
     id::{BodyId, BodyMap},
     recursive::links::link::Link,
@@ -33,6 +33,15 @@ impl Reach {
                 position: links[body].point_of_body(graph, position),
             },
         }
+    }
+
+    /// The position of a point that the frame is given, or of its origin.
+    pub(super) fn of_point(&self, graph: &mut ExprGraph, point: Option<Vector>) -> Vector {
+        let Some(point) = point else {
+            return self.position;
+        };
+        let step = graph.mul_vector(&transpose(&self.axes), point);
+        graph.add_vectors(self.position, step)
     }
 }
 
