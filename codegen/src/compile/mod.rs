@@ -1,7 +1,7 @@
 //! From a checked tree to programs: refuse, derive, pass, count, choose.
 //!
 //! In: a [`Tree`] and [`Options`]. Out: a [`Compiled`] module. Afterwards: each function is in the formulation that
-//! was asked for, or in the one with fewer operations, and its program is verified.
+//! [`choose`] takes, and its program is verified.
 
 mod arranged;
 mod branches;

@@ -98,6 +98,9 @@ impl Named {
                 fault,
                 "no direction",
             )),
+            RequestError::Repeated { request, .. } | RequestError::OwnArguments { request, .. } => {
+                Some(part_fault(self.entry(request)?, &self.what, fault, ""))
+            }
             _ => None,
         }
     }

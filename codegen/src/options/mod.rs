@@ -77,8 +77,11 @@ impl Options {
         let mut requests: Vec<Request> = selected.map(Request::from).collect();
         let named = self.functions.requests().into_iter();
         let mut faults = Vec::new();
+        let mut known = BTreeSet::new();
         for named in named.filter(|named| named.catalogue_function().is_none()) {
             match named.on(tree) {
+                // A frame may be written in several ways.
+                Ok(request) if !known.insert(request.text()) => {}
                 Ok(request) => requests.push(request),
                 Err(more) => faults.extend(more),
             }

@@ -98,6 +98,28 @@ fn all_unknown_frames_are_told_at_once() {
 }
 
 #[test]
+fn frame_that_is_written_in_two_ways_is_one() {
+    let both = |functions: &str| {
+        let project = with_functions(functions);
+        let arm = project.read("models/arm.toml");
+        project.write(
+            "models/arm.toml",
+            &arm.replace("\"fore\"", "\"Fore-{axes}\""),
+        );
+        (project.kane(&["generate"]), project)
+    };
+    let (ran, project) = both(r#"["pose(Fore-{axes})", "pose(fore_axes)"]"#);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let module = project.read("generated/arm.rs");
+    assert_eq!(module.matches("pub fn fore_axes_pose<").count(), 1);
+    assert!(module.contains("/// Pose of the frame `Fore-{axes}`: the matrix"));
+    let (ran, _) = both(r#"["pose(Fore-{axes})+pose(fore_axes)"]"#);
+    let first = ran.err.lines().next().unwrap();
+    insta::assert_snapshot!(first, @"error: `functions` of system 1: `pose(Fore-{axes})+pose(fore_axes)` names `pose(Fore-{axes})` twice");
+    assert!(ran.err.contains("--> kane.toml:4:14"));
+}
+
+#[test]
 fn functions_of_frames_stand_beside_all() {
     let project = with_functions(r#"["all", "pose(fore)", "bias+mass_matrix"]"#);
     assert_eq!(project.kane(&["generate"]).code, 0);

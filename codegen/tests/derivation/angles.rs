@@ -1,6 +1,6 @@
 //! One sine an angle: what is a sum of angles whose sines are taken follows from these.
 
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, time::Instant};
 
 use kane_codegen::{
     expr::{Binding, Expr, ExprGraph, Input, Node, NodeId},
@@ -197,4 +197,24 @@ fn of_several_ways_that_with_the_fewest_theorems_is_taken() {
     let (graph, roots) = angles::run(graph, roots);
     // Four sines and two theorems; not a third, from the angle with the offset.
     assert_eq!(graph.n_operations(&roots), 16);
+}
+
+/// Sums of one more coordinate each, and the coordinates themselves.
+#[test]
+fn long_chains_take_a_time_that_does_not_grow_with_their_cube() {
+    let mut graph = ExprGraph::default();
+    let mut roots = Vec::new();
+    let mut angle = graph.zero();
+    for place in 0..3_000 {
+        let coordinate = graph.input(Input::Q(CoordinateId::new(place)));
+        angle = graph.add(angle, coordinate);
+        roots.extend(pair(&mut graph, angle));
+        roots.extend(pair(&mut graph, coordinate));
+    }
+    let start = Instant::now();
+    let (graph, roots) = angles::run(graph, roots);
+    let seconds = start.elapsed().as_secs_f64();
+    assert_eq!(needed(&graph, &roots).len(), 3_000);
+    // It takes one or two; by the cube forty.
+    assert!(seconds < 15.0, "{seconds} s");
 }

@@ -7,14 +7,13 @@
 use std::ops::Range;
 
 use super::{
-    given_name,
+    given_name, joined,
     parsed_subject::ParsedSubject,
     request_error::{RequestError, all_or_faults},
     syntax::{self, AT_SIN_COS, Kind, Product, Unexpected, Word, written},
 };
 use crate::{
     functions::{
-        catalogue::{CATALOGUE, OF_FRAMES},
         derivatives::derivative::{Derivative, DerivativeKind},
         function::{Function, Of},
         part::{Part, text_of},
@@ -78,7 +77,10 @@ impl Parsed {
         let parts = parts.map(|part| ParsedPart::of(text, part).map_err(|fault| vec![fault]));
         let parts = all_or_faults(parts);
         match &parts {
-            Ok(parts) => faults.extend(joined_fault(text, parts)),
+            Ok(parts) => {
+                let written = parts.iter().map(|part| (part.text(), part.function));
+                faults.extend(joined::written_fault(text, written));
+            }
             Err(more) => faults.extend(more.iter().cloned()),
         }
         let (Ok(parts), []) = (parts, &faults[..]) else {
@@ -112,7 +114,10 @@ impl Parsed {
     fn resolved(&self, tree: Option<&Tree>) -> Result<Request, Vec<RequestError>> {
         let parts = self.parts.iter().map(|part| part.on(&self.text, tree));
         let parts = all_or_faults(parts)?;
-        Ok(Request::new(self.name.clone(), parts, self.at_sin_cos))
+        match joined::fault(&self.text, &parts) {
+            Some(fault) => Err(vec![fault]),
+            None => Ok(Request::new(self.name.clone(), parts, self.at_sin_cos)),
+        }
     }
 
     /// The functions of the whole system among the parts.
@@ -349,18 +354,8 @@ impl ParsedPart {
         Derivative::text(*kind, &of, &by.join(", "))
     }
 
-    /// True where it is given what no other part can be given beside it.
-    fn has_own_arguments(&self) -> bool {
-        let is_weighted = |(kind, _): &(DerivativeKind, _)| {
-            matches!(kind, DerivativeKind::Vjp | DerivativeKind::Hessian)
-        };
-        let mut arguments = self.function.arguments.iter();
-        self.derivative.as_ref().is_some_and(is_weighted)
-            || arguments.any(|argument| argument.is_of_frame())
-    }
-
     fn place(&self) -> PartPlace {
-        let mut functions = CATALOGUE.iter().chain(&OF_FRAMES);
+        let mut functions = Function::all();
         let position = functions.position(|function| function.name == self.function.name);
         let subject = self.subject.as_ref();
         PartPlace {
@@ -373,35 +368,6 @@ impl ParsedPart {
             }),
         }
     }
-}
-
-/// What is wrong with parts that are joined.
-fn joined_fault(text: &str, parts: &[ParsedPart]) -> Option<RequestError> {
-    let request = || text.to_owned();
-    let texts: Vec<String> = parts.iter().map(ParsedPart::text).collect();
-    let twice = (1..parts.len()).find(|&at| texts[..at].contains(&texts[at]));
-    if let Some(at) = twice {
-        return Some(RequestError::Repeated {
-            request: request(),
-            name: texts[at].clone(),
-        });
-    }
-    let mut functions = parts.iter().map(|part| part.function);
-    let compact = functions.find(|function| function.is_compact());
-    if let Some(function) = compact.filter(|_| parts.len() > 1) {
-        return Some(RequestError::Compact {
-            request: request(),
-            name: function.name.to_owned(),
-        });
-    }
-    // What is given to one function is the same for its values and its derivatives.
-    let mut own = parts.iter().filter(|part| part.has_own_arguments());
-    let first = own.next().map(ParsedPart::text_of_values);
-    let other = own.find(|part| Some(part.text_of_values()) != first)?;
-    Some(RequestError::OwnArguments {
-        request: request(),
-        name: other.text(),
-    })
 }
 
 /// What `packed` does not take, and what has that name instead.

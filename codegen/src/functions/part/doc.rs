@@ -1,5 +1,7 @@
 //! What the documentation of a generated function says of a part.
 
+use std::collections::BTreeMap;
+
 use super::Part;
 use crate::functions::{
     function::Output,
@@ -31,7 +33,6 @@ impl Part {
     /// What one of its outputs means, in words.
     pub(in crate::functions) fn meaning(&self, output: &Output) -> String {
         match (&self.derivative, output.meaning.as_ref()) {
-            // Words of the user may hold anything: they are put in last.
             (None, "") => self.said(&first_sentence(self.function.doc)),
             (None, own) => self.said(own),
             (Some(_), own) => own.to_owned(),
@@ -41,12 +42,22 @@ impl Part {
     /// A text of the catalogue, with words in place of those in braces.
     fn said(&self, text: &str) -> String {
         let outputs = self.function.outputs.iter();
-        let units = outputs.map(|output| (format!("{{{}}}", output.name), output.unit.text()));
-        let text = units.fold(text.to_owned(), |text, (word, unit)| {
-            text.replace(&word, &unit)
-        });
+        let units = outputs.map(|output| (output.name.as_ref(), output.unit.text()));
         let words = self.subject.iter().flat_map(|subject| self.words(subject));
-        words.fold(text, |text, (word, own)| text.replace(word, &own))
+        let known: BTreeMap<&str, String> = words.chain(units).collect();
+        let mut said = String::new();
+        let mut rest = text;
+        // What is put in may have braces of its own.
+        while let Some((before, after)) = rest.split_once('{') {
+            let (word, after) = after.split_once('}').unwrap_or((after, ""));
+            said += before;
+            match known.get(word) {
+                Some(own) => said += own,
+                None => said += &format!("{{{word}}}"),
+            }
+            rest = after;
+        }
+        said + rest
     }
 
     /// What the frames are, and how they are seen.
@@ -66,9 +77,9 @@ impl Part {
         };
         let is_other = subject.view == View::Other;
         [
-            ("{frame}", frames),
+            ("frame", frames),
             (
-                "{seen}",
+                "seen",
                 match subject.view {
                     View::Other => {
                         format!("as it is seen from {from}, which may move itself, {axes}")
@@ -77,7 +88,7 @@ impl Part {
                 },
             ),
             (
-                "{from}",
+                "from",
                 if is_other {
                     format!(" as it is seen from {from}")
                 } else {
@@ -85,7 +96,7 @@ impl Part {
                 },
             ),
             (
-                "{base}",
+                "base",
                 if is_other {
                     format!("{from}'s")
                 } else {
@@ -93,15 +104,15 @@ impl Part {
                 },
             ),
             (
-                "{origin}",
+                "origin",
                 if is_other {
                     format!("{from}'s")
                 } else {
                     "the inertial origin".to_owned()
                 },
             ),
-            ("{axes}", axes),
-            ("{speeds}", format!("`{}`", self.speeds_constant())),
+            ("axes", axes),
+            ("speeds", format!("`{}`", self.speeds_constant())),
         ]
     }
 }

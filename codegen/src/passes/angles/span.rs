@@ -66,13 +66,16 @@ impl Span {
                 continue;
             };
             let pivot = row.terms[&row.pivot];
-            left.times *= pivot;
-            scale(&mut left.terms, pivot);
-            scale(&mut left.angles, pivot);
-            add(&mut left.terms, &row.terms, -often);
-            add(&mut left.angles, &row.angles, often);
-            let all = left.terms.values().chain(left.angles.values());
-            if all.chain([&left.times]).any(|often| often.abs() > LARGEST) {
+            let mut most = 0;
+            // Of a long chain, each row changes a term or two.
+            if pivot != 1 {
+                left.times *= pivot;
+                let scaled = [&mut left.terms, &mut left.angles].map(|own| scale(own, pivot));
+                most = scaled.into_iter().fold(left.times.abs(), i64::max);
+            }
+            most = most.max(add(&mut left.terms, &row.terms, -often));
+            most = most.max(add(&mut left.angles, &row.angles, often));
+            if most > LARGEST {
                 return None;
             }
         }

@@ -65,19 +65,27 @@ impl Sum {
     }
 }
 
-/// Adds other terms so many times; what is left of none is gone.
-pub(super) fn add(terms: &mut Terms, others: &Terms, times: i64) {
+/// Adds other terms so many times; what is left of none is gone. How often the most frequent of those is there that have changed.
+pub(super) fn add(terms: &mut Terms, others: &Terms, times: i64) -> i64 {
+    let mut most = 0;
     for (&id, often) in others {
-        *terms.entry(id).or_default() += times * often;
+        let sum = terms.get(&id).copied().unwrap_or(0) + times * often;
+        most = most.max(sum.abs());
+        match sum {
+            0 => terms.remove(&id),
+            _ => terms.insert(id, sum),
+        };
     }
-    terms.retain(|_, often| *often != 0);
+    most
 }
 
-/// Makes it so many times as often.
-pub(super) fn scale(terms: &mut Terms, times: i64) {
-    for often in terms.values_mut() {
+/// Makes it so many times as often. How often the most frequent is there now.
+pub(super) fn scale(terms: &mut Terms, times: i64) -> i64 {
+    let scaled = terms.values_mut().map(|often| {
         *often *= times;
-    }
+        often.abs()
+    });
+    scaled.max().unwrap_or(0)
 }
 
 /// The small whole number that a node is.
