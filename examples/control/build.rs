@@ -47,19 +47,19 @@ const SOLO12: [&str; 20] = [
     "jacobian(HR_FOOT)",
     // What balances it calls together.
     "mass_matrix+bias",
-    "feet = jacobian(FL_FOOT)+jacobian(FR_FOOT)+jacobian(HL_FOOT)+jacobian(HR_FOOT)\
-     +jacobian_dot_u(FL_FOOT)+jacobian_dot_u(FR_FOOT)+jacobian_dot_u(HL_FOOT)+jacobian_dot_u(HR_FOOT)",
+    "feet = linear_jacobian(FL_FOOT)+linear_jacobian(FR_FOOT)+linear_jacobian(HL_FOOT)+linear_jacobian(HR_FOOT)\
+     +linear_jacobian_dot_u(FL_FOOT)+linear_jacobian_dot_u(FR_FOOT)+linear_jacobian_dot_u(HL_FOOT)+linear_jacobian_dot_u(HR_FOOT)",
     "balance = center_of_mass+centroidal_momentum_matrix+centroidal_momentum_matrix_dot_u\
      +pose(base_link)+velocity(base_link)+jacobian(base_link)+jacobian_dot_u(base_link)",
     // It is pushed at its base, and by the ground at its feet.
     "forward_dynamics",
-    "contacts = pose(FL_FOOT)+pose(FR_FOOT)+pose(HL_FOOT)+pose(HR_FOOT)\
-     +velocity(FL_FOOT)+velocity(FR_FOOT)+velocity(HL_FOOT)+velocity(HR_FOOT)",
+    "contacts = position(FL_FOOT)+position(FR_FOOT)+position(HL_FOOT)+position(HR_FOOT)\
+     +linear_velocity(FL_FOOT)+linear_velocity(FR_FOOT)+linear_velocity(HL_FOOT)+linear_velocity(HR_FOOT)",
     "generalized_force(base_link)",
-    "generalized_force(FL_FOOT)",
-    "generalized_force(FR_FOOT)",
-    "generalized_force(HL_FOOT)",
-    "generalized_force(HR_FOOT)",
+    "linear_generalized_force(FL_FOOT)",
+    "linear_generalized_force(FR_FOOT)",
+    "linear_generalized_force(HL_FOOT)",
+    "linear_generalized_force(HR_FOOT)",
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {

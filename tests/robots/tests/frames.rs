@@ -1,8 +1,10 @@
 //! Functions of a frame, compiled: through the runtime's traits as by name, and velocities as rates of poses.
 
 use kane::functions::{
-    Acceleration, GeneralizedForce, Imu, Jacobian, JacobianDotU, JacobianPacked, Local,
-    PointJacobian, Pose, Seen, Velocity,
+    Acceleration, GeneralizedForce, Imu, Jacobian, JacobianDotU, JacobianPacked,
+    LinearAcceleration, LinearGeneralizedForce, LinearJacobian, LinearJacobianDotU,
+    LinearJacobianPacked, LinearOperationalInverseInertia, LinearVelocity, Local,
+    OperationalInverseInertia, PointJacobian, Pose, Position, Seen, Velocity,
 };
 use kane_test_robots::panda_frames::{
     NQ, NU, Prepared,
@@ -17,6 +19,9 @@ use kane_test_support::{
 
 /// Sums of some hundred products in another order.
 const EXACT: Tolerance = Tolerance::relative_beyond(1.0, 1e-13);
+
+/// The same where the mass matrix is inverted.
+const INVERTED: Tolerance = Tolerance::relative_beyond(1.0, 1e-11);
 
 /// Differences of fourth order at a step of 1e-3: truncation and rounding leave less than this.
 const DIFFERENCED: Tolerance = Tolerance::relative_beyond(1.0, 1e-9);
@@ -158,6 +163,69 @@ fn jacobians_times_speeds_are_velocities() {
             expected.as_flattened(),
             EXACT,
         );
+    }
+}
+
+#[test]
+fn motions_of_the_origin_are_the_linear_part_of_the_frame_s() {
+    let system = Prepared::<f64>::nominal();
+    for (q, u) in states() {
+        let u_dot = std::array::from_fn(|place| q[place] - 2.0 * u[place]);
+        let [mut found, mut linear, mut angular] = [[f64::NAN; 3]; 3];
+        Position::<f64, PandaHandTcp>::position(&system, &q, &mut found);
+        let expected = &pose::<PandaHandTcp, _>(&system, &q)[9..];
+        assert_close("position", &found, expected, EXACT);
+
+        type Own = Local<PandaHandTcp>;
+        LinearVelocity::<f64, Own>::linear_velocity(&system, &q, &u, &mut found);
+        let [expected, _] = velocity::<Own, _>(&system, &q, &u);
+        assert_close("velocity", &found, &expected, EXACT);
+
+        type Hand = PandaHandTcp;
+        LinearAcceleration::<f64, Hand>::linear_acceleration(&system, &q, &u, &u_dot, &mut found);
+        Acceleration::<f64, Hand>::acceleration(&system, &q, &u, &u_dot, &mut linear, &mut angular);
+        assert_close("acceleration", &found, &linear, EXACT);
+
+        LinearJacobianDotU::<f64, Hand>::linear_jacobian_dot_u(&system, &q, &u, &mut found);
+        system.jacobian_dot_u(&q, &u, &mut linear, &mut angular);
+        assert_close("drift", &found, &linear, EXACT);
+
+        let mut rows = [[f64::NAN; NU]; 3];
+        LinearJacobian::<f64, Hand>::linear_jacobian(&system, &q, &mut rows);
+        let [expected, _] = jacobian::<Hand, _>(&system, &q);
+        assert_close("rows", rows.as_flattened(), expected.as_flattened(), EXACT);
+
+        let mut columns = [[f64::NAN; 4]; 3];
+        LinearJacobianPacked::<f64, PandaLink4>::linear_jacobian_packed(&system, &q, &mut columns);
+        let [expected, _] = jacobian::<PandaLink4, _>(&system, &q);
+        for (packed, whole) in columns.iter().zip(&expected) {
+            assert_close("columns", packed, &whole[..4], EXACT);
+        }
+    }
+}
+
+#[test]
+fn forces_at_the_origin_are_wrenches_without_a_moment() {
+    type Both = (PandaHandTcp, PandaLink4);
+    let system = Prepared::<f64>::nominal();
+    for (q, _) in states() {
+        let force = [3.0, -1.0, 2.0];
+        let [mut tau, mut of_wrench] = [[f64::NAN; NU]; 2];
+        system.linear_generalized_force(&q, &force, &mut tau);
+        system.generalized_force(&q, &force, &[0.0; 3], &mut of_wrench);
+        assert_close("forces", &tau, &of_wrench, EXACT);
+
+        let (mut points, mut frames) = ([[f64::NAN; 6]; 6], [[f64::NAN; 12]; 12]);
+        LinearOperationalInverseInertia::<f64, Both>::linear_operational_inverse_inertia(
+            &system,
+            &q,
+            &mut points,
+        );
+        system.operational_inverse_inertia(&q, &mut frames);
+        let linear = [0, 1, 2, 6, 7, 8];
+        let expected = linear.map(|row| linear.map(|column| frames[row][column]));
+        let (points, expected) = (points.as_flattened(), expected.as_flattened());
+        assert_close("inertia", points, expected, INVERTED);
     }
 }
 

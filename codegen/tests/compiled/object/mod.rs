@@ -135,6 +135,7 @@ fn functions_of_frames_and_matrices_hold() {
         "jacobian(FL_FOOT)+jacobian(FR_FOOT)+jacobian(HL_FOOT)+jacobian(HR_FOOT)",
         "jacobian(FL_FOOT, HR_FOOT)",
         "jacobian_packed(FL_FOOT)",
+        "linear_jacobian(FL_FOOT, local)",
         "point_jacobian(FL_FOOT)",
         "acceleration(FL_FOOT, local)",
         "jacobian_dot_u(FL_FOOT)",

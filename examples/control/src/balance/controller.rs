@@ -118,20 +118,14 @@ struct Standing {
 
 impl Standing {
     fn new(robot: &Prepared<Scalar>, q: &[Scalar; NQ], u: &[Scalar; NU]) -> Self {
-        let (mut linear, mut angular) = ([[[0.0; NU]; 3]; FEET], [[[0.0; NU]; 3]; FEET]);
-        let (mut drift, mut drift_angular) = ([[0.0; 3]; FEET], [[0.0; 3]; FEET]);
+        let (mut jacobians, mut drift) = ([[[0.0; NU]; 3]; FEET], [[0.0; 3]; FEET]);
         {
-            let [fl, fr, hl, hr] = &mut linear;
-            let [fl_w, fr_w, hl_w, hr_w] = &mut angular;
+            let [fl, fr, hl, hr] = &mut jacobians;
             let [fl_a, fr_a, hl_a, hr_a] = &mut drift;
-            let [fl_alpha, fr_alpha, hl_alpha, hr_alpha] = &mut drift_angular;
-            feet(
-                robot, q, u, fl, fl_w, fr, fr_w, hl, hl_w, hr, hr_w, //
-                fl_a, fl_alpha, fr_a, fr_alpha, hl_a, hl_alpha, hr_a, hr_alpha,
-            );
+            feet(robot, q, u, fl, fr, hl, hr, fl_a, fr_a, hl_a, hr_a);
         }
         Self {
-            jacobian: Matrix::from_fn(|i, j| linear[i / 3][i % 3][j]),
+            jacobian: Matrix::from_fn(|i, j| jacobians[i / 3][i % 3][j]),
             drift: Vector::from_fn(|i, _| drift[i / 3][i % 3]),
         }
     }

@@ -21,17 +21,11 @@ pub(super) struct Feet {
 
 impl Feet {
     pub(super) fn new(robot: &Prepared<f64>, q: &[f64; NQ], u: &[f64; NU]) -> Self {
-        let (mut rotation, mut position) = ([[[0.0; 3]; 3]; FEET], [[0.0; 3]; FEET]);
-        let (mut velocity, mut angular) = ([[0.0; 3]; FEET], [[0.0; 3]; FEET]);
+        let (mut position, mut velocity) = ([[0.0; 3]; FEET], [[0.0; 3]; FEET]);
         {
-            let [fl_r, fr_r, hl_r, hr_r] = &mut rotation;
             let [fl, fr, hl, hr] = &mut position;
             let [fl_v, fr_v, hl_v, hr_v] = &mut velocity;
-            let [fl_w, fr_w, hl_w, hr_w] = &mut angular;
-            contacts(
-                robot, q, u, fl_r, fl, fr_r, fr, hl_r, hl, hr_r, hr, //
-                fl_v, fl_w, fr_v, fr_w, hl_v, hl_w, hr_v, hr_w,
-            );
+            contacts(robot, q, u, fl, fr, hl, hr, fl_v, fr_v, hl_v, hr_v);
         }
         Self { position, velocity }
     }
@@ -43,11 +37,11 @@ pub(super) fn generalized(
     q: &[f64; NQ],
     forces: &[[f64; 3]; FEET],
 ) -> [f64; NU] {
-    let (mut tau, none) = ([[0.0; NU]; FEET], [0.0; 3]);
-    solo12::fl_foot_generalized_force(robot, q, &forces[0], &none, &mut tau[0]);
-    solo12::fr_foot_generalized_force(robot, q, &forces[1], &none, &mut tau[1]);
-    solo12::hl_foot_generalized_force(robot, q, &forces[2], &none, &mut tau[2]);
-    solo12::hr_foot_generalized_force(robot, q, &forces[3], &none, &mut tau[3]);
+    let mut tau = [[0.0; NU]; FEET];
+    solo12::fl_foot_linear_generalized_force(robot, q, &forces[0], &mut tau[0]);
+    solo12::fr_foot_linear_generalized_force(robot, q, &forces[1], &mut tau[1]);
+    solo12::hl_foot_linear_generalized_force(robot, q, &forces[2], &mut tau[2]);
+    solo12::hr_foot_linear_generalized_force(robot, q, &forces[3], &mut tau[3]);
     from_fn(|i| tau.iter().map(|tau| tau[i]).sum())
 }
 
