@@ -16,7 +16,7 @@ use kane_codegen::{
 
 use crate::cli::{
     Failures,
-    arguments::changes::ChangesArguments,
+    arguments::{changes::ChangesArguments, options::are_listed},
     job::{self, Job, Listing},
     paths,
     target::Target,
@@ -146,14 +146,23 @@ pub(crate) fn config_of(
     Ok(Some((path, listed)))
 }
 
-/// A model to look at, as the first system of its `kane.toml` has it that lists it, or by default options; with these changes.
-pub(crate) fn looked_at(model: &Path, changes: &ChangesArguments) -> Result<Job, Failures> {
+/// A model to look at: as the first system of its `kane.toml` has it that lists it with the functions that are asked for, or the first
+/// that lists it at all, or by default options; with these changes.
+pub(crate) fn looked_at(
+    model: &Path,
+    changes: &ChangesArguments,
+    asked: &[String],
+) -> Result<Job, Failures> {
     changes.check()?;
     job::read(model)?;
     let listed = config_of(model, None)?;
     let jobs = listed.map(|(_, listed)| listed.jobs_of(model));
-    let first = jobs.transpose()?.and_then(|jobs| jobs.into_iter().next());
-    let mut job = match first {
+    let mut jobs = jobs.transpose()?.unwrap_or_default();
+    let with_them = jobs
+        .iter()
+        .position(|job| are_listed(asked, &job.options.functions));
+    let chosen = with_them.or((!jobs.is_empty()).then_some(0));
+    let mut job = match chosen.map(|place| jobs.swap_remove(place)) {
         Some(job) => job,
         None => Job::unlisted(model, shown_model(model, None)?, Target::StandardOutput),
     };

@@ -1,11 +1,11 @@
 //! What changed between two texts of a module: functions, and the operations that each states in its documentation.
 //!
 //! In: two texts. Out: a [`Comparison`]. Reads the line `Operations: 7 = 4 mul + 3 add + 0 div + 0 trig` and nothing
-//! else, so it serves for modules of any age; a function without that line is left out.
+//! else, so it serves for modules of any age; a function without that line is left out, and so is one that users cannot call.
 
 use std::collections::BTreeMap;
 
-use syn::{Attribute, Expr, ExprLit, File, ImplItem, Item, Lit, Meta};
+use syn::{Attribute, Expr, ExprLit, File, ImplItem, Item, Lit, Meta, Visibility};
 
 use crate::{listing::Counted, rust};
 
@@ -77,7 +77,7 @@ fn of_functions(file: File) -> Vec<(String, Counted)> {
     let mut list = Vec::new();
     for item in file.items {
         match item {
-            Item::Fn(function) => {
+            Item::Fn(function) if matches!(function.vis, Visibility::Public(_)) => {
                 let name = function.sig.ident.to_string();
                 list.extend(stated(&function.attrs).map(|counted| (name, counted)));
             }

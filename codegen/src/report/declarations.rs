@@ -1,6 +1,6 @@
-//! Functions of two texts of a module that take other arguments: code that calls them must change, or means something else.
+//! Functions of two texts of a module that are gone or take other arguments: code that calls them must change, or means something else.
 //!
-//! In: two texts. Out: each such function with its arguments before and after. What one text alone holds is left out.
+//! In: two texts. Out: each such function with its arguments before and after. What the new text alone holds is left out.
 
 use std::collections::BTreeMap;
 
@@ -9,15 +9,15 @@ use syn::{File, FnArg, Item, Pat, Visibility};
 
 use crate::rust;
 
-/// A function that both modules hold, with other arguments.
+/// A function of the old module that is gone, or has other arguments.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Redeclared {
     /// The function's name.
     pub name: String,
     /// Its arguments in the old module: names, or names and types where these alone differ.
     pub old: String,
-    /// Those in the new module.
-    pub new: String,
+    /// Those in the new module; `None` where it is gone.
+    pub new: Option<String>,
 }
 
 /// Compares how the public functions of two modules are declared.
@@ -27,22 +27,26 @@ pub struct Redeclared {
 ///
 /// let [old, new] = ["pub fn step(q: &[f64; 2], u: &[f64; 2]) {}", "pub fn step(u: &[f64; 2], q: &[f64; 2]) {}"];
 /// let found = &redeclared(old, new).unwrap()[0];
-/// assert_eq!((&*found.old, &*found.new), ("q, u", "u, q"));
+/// assert_eq!((&*found.old, found.new.as_deref()), ("q, u", Some("u, q")));
+/// assert_eq!(redeclared(old, "pub fn other() {}").unwrap()[0].new, None);
 /// ```
 ///
 /// # Errors
 /// A text that is not Rust.
 pub fn redeclared(old: &str, new: &str) -> Result<Vec<Redeclared>, syn::Error> {
-    let old: BTreeMap<String, Arguments> = rust::read(old, declared)?.into_iter().collect();
-    let new = rust::read(new, declared)?;
-    let changed = new.into_iter().filter_map(|(name, new)| {
-        let old = old.get(&name).filter(|old| **old != new)?;
-        let is_by_name = names(old) != names(&new);
+    let old = rust::read(old, declared)?;
+    let new: BTreeMap<String, Arguments> = rust::read(new, declared)?.into_iter().collect();
+    let changed = old.into_iter().filter_map(|(name, old)| {
+        let new = new.get(&name);
+        if new.is_some_and(|new| *new == old) {
+            return None;
+        }
+        let is_by_name = new.is_none_or(|new| names(&old) != names(new));
         let shown = if is_by_name { names } else { whole };
         Some(Redeclared {
             name,
-            old: shown(old),
-            new: shown(&new),
+            old: shown(&old),
+            new: new.map(shown),
         })
     });
     Ok(changed.collect())

@@ -4,9 +4,11 @@
 //! prints them; so can a build script or a test. Does not: touch files.
 
 mod compare;
+mod constants;
 mod counts;
 mod declarations;
 mod differences;
+mod meanings;
 mod outline;
 mod partitions;
 mod pattern;
@@ -18,6 +20,7 @@ pub use compare::{Change, Comparison, compare, counted, differs_in_layout_only};
 pub use counts::{Counts, count};
 pub use declarations::{Redeclared, redeclared};
 pub use differences::{Differences, LayoutChange, ValueChange, differences};
+pub use meanings::{Meaning, meanings};
 pub use outline::{Body, Layout, ModuleError, Outline, Values};
 pub use partitions::{Cell, Partitions, partitions};
 pub use pattern::mass_matrix_pattern;

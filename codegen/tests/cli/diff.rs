@@ -225,10 +225,51 @@ fn other_arguments_of_a_function_are_breaking() {
     generated("old.rs", "step = bias+mass_matrix");
     generated("new.rs", "step = mass_matrix+bias");
     let ran = project.kane(&["diff", "old.rs", "new.rs"]);
-    let told = "BREAKING: functions with other arguments\n  changed  step  p, q, u, bias, m -> p, q, u, m, bias\n";
+    let told = "BREAKING: functions that are gone, or have other arguments\n  changed  step  p, q, u, bias, m -> p, q, u, m, bias\n";
+    assert!(ran.out.contains(told), "{}", ran.out);
+    generated("gone.rs", "mass_matrix");
+    let ran = project.kane(&["diff", "old.rs", "gone.rs"]);
+    let told = "BREAKING: functions that are gone, or have other arguments\n  removed  step\n";
     assert!(ran.out.contains(told), "{}", ran.out);
     let ran = project.kane(&["diff", "old.rs", "new.rs", "--format", "json"]);
     assert!(ran.out.contains("\"breaking\": true"), "{}", ran.out);
+}
+
+#[test]
+fn places_that_mean_something_else_are_breaking() {
+    let project = Project::arm();
+    let joint = |joint: &str| {
+        let model = model("arm", "2.0").replace("[\"theta2\"]", joint);
+        model.replace("name = \"fore\"", "name = \"fore\"\njoint_name = \"elbow\"")
+    };
+    project.write("old.toml", &joint("\"revolute\"\naxis = [0, 1, 0]"));
+    project.write("new.toml", &joint("\"prismatic\"\naxis = [0, 1, 0]"));
+    let ran = project.kane(&["diff", "old.toml", "new.toml"]);
+    let told = "BREAKING: places that mean something else\n  changed  q of elbow  rad -> m\n";
+    assert!(ran.out.starts_with(told), "{}", ran.out);
+
+    let generated = |file: &str, prescribed: &str| {
+        let arguments = [
+            "generate",
+            "old.toml",
+            "--functions",
+            "hybrid_dynamics",
+            "--prescribed",
+            prescribed,
+            "--output",
+            file,
+        ];
+        assert_eq!(project.kane(&arguments).code, 0, "{prescribed}");
+    };
+    generated("old.rs", "elbow");
+    generated("new.rs", "upper");
+    let ran = project.kane(&["diff", "old.rs", "new.rs"]);
+    let told = "\nBREAKING: places that mean something else\n  changed  prescribed speeds  elbow_dot -> upper_theta1_dot, upper_s2_dot\n";
+    assert!(ran.out.contains(told), "{}", ran.out);
+    let ran = project.kane(&["diff", "old.rs", "new.rs", "--format", "json"]);
+    let told: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(told["breaking"], true);
+    assert_eq!(told["meanings"][0]["new"], "upper_theta1_dot, upper_s2_dot");
 }
 
 #[test]

@@ -358,3 +358,57 @@ fn diff_tells_what_prescribing_costs() {
         "{ran:?}"
     );
 }
+
+/// Two systems of one model, the second with the elbow prescribed.
+fn of_two_systems() -> Project {
+    let second = "[[system]]\nmodel = \"models/arm.toml\"\noutput = \"generated/bias.rs\"\nfunctions = [\"bias\"]\n";
+    let project = project(&followed("joint = [\"theta3\"]"), r#"["fore"]"#, "");
+    let own = project.read("kane.toml");
+    project.write("kane.toml", &format!("{second}\n{own}"));
+    project
+}
+
+#[test]
+fn of_several_systems_of_a_model_that_with_the_function_is_looked_at() {
+    let project = of_two_systems();
+    let state = r#"{"q": {}, "u": {}, "tau": {}, "u_dot": {"fore_theta3_dot": 1.0}}"#;
+    project.write("state.json", state);
+    let ran = project.kane(&[
+        "eval",
+        "models/arm.toml",
+        "--function",
+        "hybrid_dynamics",
+        "--state",
+        "state.json",
+    ]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let found: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(found["whole_u_dot"][1], 1.0, "{}", ran.out);
+    let count = |more: &[&str]| {
+        let asked = ["info", "models/arm.toml", "--functions", "hybrid_dynamics"];
+        let ran = project.kane(&[&asked[..], more].concat());
+        let row = ran.out.lines().last().unwrap().to_owned();
+        assert!(row.contains("hybrid_dynamics"), "{}", ran.out);
+        row
+    };
+    assert_eq!(count(&[]), count(&["--prescribed", "fore"]));
+    assert_ne!(count(&[]), count(&["--prescribed", "upper"]));
+}
+
+#[test]
+fn functions_for_several_modules_of_a_model_need_an_output() {
+    let project = of_two_systems();
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    let before = project.read("generated/bias.rs");
+    let asked = ["generate", "models/arm.toml", "--functions", "mass_matrix"];
+    let ran = project.kane(&asked);
+    assert_eq!(ran.code, 2);
+    insta::assert_snapshot!(ran.err, @"error: `kane.toml` has `generated/bias.rs`, `generated/arm.rs` generated from this model, each with functions of its own; say with --output which one --functions is for");
+    assert_eq!(project.read("generated/bias.rs"), before);
+    let ran = project.kane(&[&asked[..], &["--output", "generated/bias.rs"]].concat());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert_ne!(project.read("generated/bias.rs"), before);
+    // Without, each is what `kane.toml` says.
+    assert_eq!(project.kane(&["generate", "models/arm.toml"]).code, 0);
+    assert_eq!(project.read("generated/bias.rs"), before);
+}

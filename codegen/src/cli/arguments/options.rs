@@ -82,12 +82,14 @@ impl OptionsArguments {
 
     /// What the model lacks of that, beside names that are none. What is wrong with the model itself waits until they are right.
     pub(crate) fn lacking(&self, model: &Path) -> Failures {
-        let job = listed::looked_at(model, &self.changes);
+        let asked = self.functions.as_deref().unwrap_or_default();
+        let job = listed::looked_at(model, &self.changes, asked);
         let checked = job.and_then(|job| job.checked());
         let mut failures = Failures::default();
         if let Ok(checked) = checked {
-            let names = names(self.functions.as_deref().unwrap_or_default());
-            let requests = names.into_iter().filter_map(|name| Parsed::read(name).ok());
+            let requests = names(asked)
+                .into_iter()
+                .filter_map(|name| Parsed::read(name).ok());
             for request in requests {
                 failures.keep(request.on(&checked.tree).map_err(Error::Requests));
             }
@@ -122,6 +124,11 @@ impl OptionsArguments {
 }
 
 impl Asked<'_> {
+    /// True where functions are asked for, in place of those that `kane.toml` has.
+    pub(crate) fn says_functions(&self) -> bool {
+        self.functions.is_some()
+    }
+
     /// Leaves out what `kane.toml` names and it names others for.
     pub(crate) fn replace(&self, listing: &mut Listing) {
         if self.functions.is_some() {
@@ -166,6 +173,19 @@ fn names(lists: &[String]) -> Vec<&str> {
 pub(crate) fn named(name: &str, listed: &Functions) -> Option<Parsed> {
     let mut requests = listed.requests().into_iter();
     requests.find(|own| own.given_name() == Some(name.trim()))
+}
+
+/// True where each of these is among the listed functions, by its request or the name that `kane.toml` gives it.
+pub(crate) fn are_listed(asked: &[String], listed: &Functions) -> bool {
+    let requests: Vec<String> = listed.requests().iter().map(Parsed::text).collect();
+    let is_listed = |name: &str| {
+        let parsed = Parsed::read(name).ok();
+        let function = parsed.as_ref().and_then(Parsed::catalogue_function);
+        named(name, listed).is_some()
+            || function.is_some_and(|function| listed.names(function))
+            || parsed.is_some_and(|parsed| requests.contains(&parsed.text()))
+    };
+    names(asked).into_iter().all(is_listed)
 }
 
 /// Reads `--functions`, in which names may stand that `kane.toml` gives.

@@ -205,8 +205,14 @@ impl Selection {
                 jobs.push(Job::unlisted(model, shown, target));
             }
         }
-        if let Some(config) = config.filter(|_| jobs.is_empty()) {
-            return Err(unlisted(model, &config));
+        if let Some(config) = &config {
+            match &jobs[..] {
+                [] => return Err(unlisted(model, config)),
+                [_] => {}
+                // Each would be replaced by the same, under another name.
+                several if asked.says_functions() => return Err(ambiguous(config, several)),
+                _ => {}
+            }
         }
         for job in &mut jobs {
             model.clone_into(&mut job.model);
@@ -239,6 +245,15 @@ impl Selection {
 fn own_name(model: &Path) -> PathBuf {
     let name = model.file_name().unwrap_or(model.as_os_str());
     Path::new(name).with_extension("rs")
+}
+
+fn ambiguous(config: &Path, jobs: &[Job]) -> Failures {
+    let outputs: Vec<String> = jobs.iter().map(|job| format!("`{}`", job.target)).collect();
+    Failures::message(format!(
+        "`{}` has {} generated from this model, each with functions of its own; say with --output which one --functions is for",
+        config.display(),
+        outputs.join(", ")
+    ))
 }
 
 fn unlisted(model: &Path, config: &Path) -> Failures {

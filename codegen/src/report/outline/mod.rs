@@ -8,4 +8,5 @@ mod module;
 mod system;
 
 pub use module::ModuleError;
+pub(super) use module::coordinates;
 pub use system::{Body, Layout, Outline, Values};

@@ -1,9 +1,10 @@
 //! The outline of a module, read from its constants.
 
-use syn::{Attribute, Expr, ExprLit, File, Item, Lit, Member, Meta, ext::IdentExt};
+use syn::{Attribute, Expr, File, Item, Meta, ext::IdentExt};
 
 use crate::{
     listing::{JointChart, constants, read_nominal},
+    report::constants::{constant, entries, field, integer, list, some, string},
     rust,
     tree::CoordinateKind,
 };
@@ -90,14 +91,6 @@ fn below(place: Option<u64>, names: &[String]) -> String {
     name.map_or_else(|| INERTIAL.to_owned(), Clone::clone)
 }
 
-/// The value of a constant.
-fn constant<'f>(file: &'f File, name: &str) -> Option<&'f Expr> {
-    file.items.iter().find_map(|item| match item {
-        Item::Const(constant) if constant.ident == name => Some(&*constant.expr),
-        _ => None,
-    })
-}
-
 /// The names of a type's fields; none where it is not there.
 fn fields(file: &File, name: &str) -> Vec<String> {
     let fields = file.items.iter().find_map(|item| match item {
@@ -109,64 +102,20 @@ fn fields(file: &File, name: &str) -> Vec<String> {
     names.map(|name| name.unraw().to_string()).collect()
 }
 
-/// The entries of a constant; none where it is not there.
-fn list<'f>(file: &'f File, name: &str) -> Vec<&'f Expr> {
-    constant(file, name).map_or_else(Vec::new, entries)
-}
-
 fn strings(file: &File, name: &'static str) -> Result<Vec<String>, ModuleError> {
     let value = constant(file, name).ok_or(ModuleError::Missing(name))?;
     Ok(entries(value).into_iter().filter_map(string).collect())
 }
 
-fn entries(list: &Expr) -> Vec<&Expr> {
-    match list {
-        Expr::Array(list) => list.elems.iter().collect(),
-        _ => Vec::new(),
-    }
-}
-
-fn string(value: &Expr) -> Option<String> {
-    match value {
-        Expr::Lit(ExprLit {
-            lit: Lit::Str(text),
-            ..
-        }) => Some(text.value()),
-        _ => None,
-    }
-}
-
-fn integer(value: &Expr) -> Option<u64> {
-    match value {
-        Expr::Lit(ExprLit {
-            lit: Lit::Int(digits),
-            ..
-        }) => digits.base10_parse().ok(),
-        _ => None,
-    }
-}
-
-/// The value of a struct's field.
-fn field<'e>(value: &'e Expr, name: &str) -> Option<&'e Expr> {
-    let Expr::Struct(value) = value else {
-        return None;
-    };
-    let mut fields = value.fields.iter();
-    let is_named = |member: &Member| matches!(member, Member::Named(own) if own == name);
-    let field = fields.find(|field| is_named(&field.member))?;
-    Some(&field.expr)
-}
-
-/// What stands in `Some(..)`.
-fn some(value: &Expr) -> Option<&Expr> {
-    match value {
-        Expr::Call(call) => call.args.first(),
-        _ => None,
-    }
-}
-
 /// The kinds of a joint's coordinates, of an entry of `JOINTS`.
 fn kinds(joint: &Expr) -> String {
+    let coordinates = coordinates(joint).into_iter();
+    let names: Vec<&str> = coordinates.map(|(_, kind)| kind.name()).collect();
+    names.join(" ")
+}
+
+/// The places in `q` of a joint's coordinates and what they are, of an entry of `JOINTS`.
+pub(in crate::report) fn coordinates(joint: &Expr) -> Vec<(usize, CoordinateKind)> {
     let name = |chart: &Expr| match chart {
         Expr::Path(path) => path.path.segments.last().map(|last| last.ident.to_string()),
         _ => None,
@@ -176,10 +125,11 @@ fn kinds(joint: &Expr) -> String {
     let chart = chart.unwrap_or(JointChart::Angles);
     let entries = field(joint, "q").map_or_else(Vec::new, entries);
     let entries = entries.into_iter().take(7).enumerate();
-    let free = entries.filter(|(_, entry)| some(entry).is_some());
-    let kinds = free.filter_map(|(place, _)| chart.coordinate(place));
-    let names: Vec<&str> = kinds.map(CoordinateKind::name).collect();
-    names.join(" ")
+    let free = entries.filter_map(|(kind, entry)| {
+        let place = some(entry).and_then(integer)?;
+        Some((usize::try_from(place).ok()?, chart.coordinate(kind)?))
+    });
+    free.collect()
 }
 
 /// The fields of `Parameters` with their nominal values, which stand in their documentation.

@@ -1,6 +1,6 @@
 //! What differs between two models or modules, and between what.
 
-use kane_codegen::report::{self, Comparison, Differences, Redeclared};
+use kane_codegen::report::{self, Comparison, Differences, Meaning, Redeclared};
 
 use super::side::Described;
 use crate::cli::{Failures, text::lines::ChangedLines, text::text_diff::TextDiff};
@@ -12,8 +12,10 @@ pub(super) struct Report {
     pub(super) fingerprints: [Option<u64>; 2],
     pub(super) differences: Differences,
     pub(super) functions: Comparison,
-    /// Functions with other arguments.
+    /// Functions that are gone, or have other arguments.
     pub(super) redeclared: Vec<Redeclared>,
+    /// Places that mean something else.
+    pub(super) meanings: Vec<Meaning>,
     /// The unified diff of the texts; empty where they are the same.
     pub(super) diff: String,
     /// How much of it there is; `None` where the texts are the same.
@@ -24,6 +26,7 @@ impl Report {
     pub(super) fn new(names: [&str; 2], [old, new]: [&Described; 2]) -> Result<Self, Failures> {
         let functions = report::compare(&old.text, &new.text).map_err(Failures::message)?;
         let redeclared = report::redeclared(&old.text, &new.text).map_err(Failures::message)?;
+        let meanings = report::meanings(&old.text, &new.text).map_err(Failures::message)?;
         let texts = [old, new].map(|known| known.text.as_str());
         let diff = TextDiff::new(texts[0], texts[1]);
         let is_same = texts[0] == texts[1];
@@ -35,14 +38,15 @@ impl Report {
             differences: report::differences(&old.outline, &new.outline),
             functions,
             redeclared,
+            meanings,
             diff,
             lines,
         })
     }
 
-    /// True where an array's places changed, or a function's arguments.
+    /// True where an array's places changed or mean something else, or where a function is gone or has other arguments.
     pub(super) fn is_breaking(&self) -> bool {
-        self.differences.is_breaking() || !self.redeclared.is_empty()
+        self.differences.is_breaking() || !(self.redeclared.is_empty() && self.meanings.is_empty())
     }
 
     pub(super) fn is_same(&self) -> bool {

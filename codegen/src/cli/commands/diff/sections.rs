@@ -1,6 +1,6 @@
 //! What differs, for people: in a terminal, and as tables for a pull request.
 
-use kane_codegen::report::{Body, Differences, LayoutChange, Redeclared, ValueChange};
+use kane_codegen::report::{Body, Differences, LayoutChange, Meaning, Redeclared, ValueChange};
 
 use super::{report::Report, systems::Systems};
 use crate::cli::text::operations::{self, Row};
@@ -68,7 +68,8 @@ fn files(systems: &Systems) -> Vec<Section> {
         let layouts = layouts.filter(|change| change.is_breaking());
         let layouts = layouts.map(|change| change.layout.name());
         let redeclared = report.redeclared.iter().map(|own| own.name.as_str());
-        let changed: Vec<&str> = layouts.chain(redeclared).collect();
+        let meanings = report.meanings.iter().map(|own| own.name.as_str());
+        let changed: Vec<&str> = layouts.chain(redeclared).chain(meanings).collect();
         row("changed", &report.names[1], changed.join(", "))
     });
     let added = systems.added.iter();
@@ -76,7 +77,7 @@ fn files(systems: &Systems) -> Vec<Section> {
     let mut sections = Vec::new();
     push(
         &mut sections,
-        "BREAKING: files that are gone, or in which places or arguments changed",
+        "BREAKING: files that are gone, or in which places, functions or arguments changed",
         removed.chain(changed).collect(),
     );
     push(&mut sections, "files", added.collect());
@@ -149,16 +150,26 @@ fn sections(report: &Report) -> Vec<Section> {
     let mut sections: Vec<Section> = differences.layouts.iter().map(layout).collect();
     let redeclared = report.redeclared.iter();
     let redeclared = redeclared.map(|Redeclared { name, old, new }| {
-        [
-            "changed".to_owned(),
-            name.clone(),
-            format!("{old} -> {new}"),
-        ]
+        let (what, how) = match new {
+            Some(new) => ("changed", format!("{old} -> {new}")),
+            None => ("removed", String::new()),
+        };
+        [what.to_owned(), name.clone(), how]
     });
     push(
         &mut sections,
-        "BREAKING: functions with other arguments",
+        "BREAKING: functions that are gone, or have other arguments",
         redeclared.collect(),
+    );
+    let meanings = report.meanings.iter();
+    let meanings = meanings.map(|Meaning { name, old, new }| {
+        let how = format!("{old} -> {new}");
+        ["changed".to_owned(), name.clone(), how]
+    });
+    push(
+        &mut sections,
+        "BREAKING: places that mean something else",
+        meanings.collect(),
     );
     let mut bodies = bodies(differences);
     bodies.extend(of_the_tree.into_iter().map(value));

@@ -1,6 +1,6 @@
 //! What differs, for programs.
 
-use kane_codegen::report::{Body, Change, Counted, LayoutChange, Redeclared, ValueChange};
+use kane_codegen::report::{Body, Change, Counted, LayoutChange, Meaning, Redeclared, ValueChange};
 use serde_json::{Value, json};
 
 use super::{report::Report, systems::Systems};
@@ -41,11 +41,16 @@ pub(super) fn of_report(report: &Report) -> Value {
             "removed": functions.removed.iter().map(function).collect::<Value>(),
             "redeclared": report.redeclared.iter().map(redeclared).collect::<Value>(),
         },
+        "meanings": report.meanings.iter().map(meaning).collect::<Value>(),
         "diff": report.diff,
     })
 }
 
 fn redeclared(change: &Redeclared) -> Value {
+    json!({ "name": change.name, "old": change.old, "new": change.new })
+}
+
+fn meaning(change: &Meaning) -> Value {
     json!({ "name": change.name, "old": change.old, "new": change.new })
 }
 

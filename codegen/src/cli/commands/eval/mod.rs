@@ -43,7 +43,7 @@ use crate::cli::{
 /// result is an object of their outputs.
 ///
 /// If the `kane.toml` in the model's folder or the nearest one above lists the model, the options of the first system that does so
-/// hold; options on the command line override them.
+/// with this function hold, or else of the first; options on the command line override them.
 #[derive(Args, Debug)]
 #[command(
     after_long_help = "The state file holds the inputs of the function, in SI units:\n  \
@@ -98,7 +98,11 @@ pub(crate) fn run(
     out: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
     let mut failures = Failures::default();
-    let job = listed::looked_at(&arguments.model, &arguments.changes);
+    let job = listed::looked_at(
+        &arguments.model,
+        &arguments.changes,
+        slice::from_ref(&arguments.function),
+    );
     let listed = job.as_ref().ok().map(|job| &job.options.functions);
     let named = listed.and_then(|listed| options::named(&arguments.function, listed));
     let function = named.map_or_else(|| options::request(&arguments.function), Ok);

@@ -30,7 +30,7 @@ use crate::cli::{
 /// its translations.
 ///
 /// If the `kane.toml` in the model's folder or the nearest one above lists the model, the options of the first system that does so
-/// hold; options on the command line override them.
+/// with these functions hold, or else of the first; options on the command line override them.
 #[derive(Args, Debug)]
 #[command(
     after_long_help = "Keys of --json. They are stable; later versions may add more:\n  \
@@ -94,9 +94,13 @@ pub(crate) fn run(
     voice: Voice,
     out: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
-    let job = listed::looked_at(&arguments.model, &arguments.changes)?;
-    let listed = &job.options.functions;
     let asked = arguments.functions.as_deref();
+    let job = listed::looked_at(
+        &arguments.model,
+        &arguments.changes,
+        asked.unwrap_or_default(),
+    )?;
+    let listed = &job.options.functions;
     let asked = asked.map(|asked| options::functions_of(asked, listed));
     let asked = asked.transpose()?;
     let model = job.checked()?;

@@ -1,0 +1,76 @@
+//! Places of two texts of a module that have one name and mean something else: code that uses them goes on and is wrong.
+//!
+//! In: two texts. Out: each such place with what it means before and after. What one text alone says is left out.
+
+use std::collections::BTreeMap;
+
+use syn::{Expr, File};
+
+use super::{
+    constants::{constant, entries, list, string},
+    outline::coordinates,
+};
+use crate::{functions::PRESCRIBED, listing::constants, rust};
+
+/// A place that means something else.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Meaning {
+    /// What it is called.
+    pub name: String,
+    /// What it means in the old module.
+    pub old: String,
+    /// What it means in the new module.
+    pub new: String,
+}
+
+/// Compares the units of coordinates and which speeds are prescribed.
+///
+/// # Errors
+/// A text that is not Rust.
+pub fn meanings(old: &str, new: &str) -> Result<Vec<Meaning>, syn::Error> {
+    let old: BTreeMap<String, String> = rust::read(old, said)?.into_iter().collect();
+    let new = rust::read(new, said)?.into_iter();
+    let changed = new.filter_map(|(name, new)| {
+        let old = old.get(&name).filter(|old| **old != new)?.clone();
+        Some(Meaning { name, old, new })
+    });
+    Ok(changed.collect())
+}
+
+/// What a module says, place by place.
+fn said(file: File) -> Vec<(String, String)> {
+    let names = |name| -> Vec<String> {
+        let names = list(&file, name).into_iter();
+        names.filter_map(string).collect()
+    };
+    let coordinate_names = names(constants::COORDINATE_NAMES);
+    let joints = list(&file, constants::JOINTS).into_iter();
+    let units = joints.flat_map(coordinates).filter_map(|(place, kind)| {
+        let name = coordinate_names.get(place)?;
+        Some((format!("q of {name}"), kind.unit().to_owned()))
+    });
+    let mut said: Vec<(String, String)> = units.collect();
+    let prescribed = constant(&file, PRESCRIBED).map(entries);
+    said.extend(prescribed.map(|flags| {
+        let speeds = names(constants::SPEED_NAMES);
+        let given = speeds
+            .into_iter()
+            .zip(flags)
+            .filter(|(_, flag)| is_true(flag));
+        let given: Vec<String> = given.map(|(name, _)| name).collect();
+        let given = if given.is_empty() {
+            "none".to_owned()
+        } else {
+            given.join(", ")
+        };
+        ("prescribed speeds".to_owned(), given)
+    }));
+    said
+}
+
+fn is_true(value: &Expr) -> bool {
+    match value {
+        Expr::Lit(literal) => matches!(&literal.lit, syn::Lit::Bool(own) if own.value),
+        _ => false,
+    }
+}
