@@ -67,7 +67,7 @@ impl Part {
             DerivativeKind::Jvp => Some(Sweep::Forward),
             DerivativeKind::Vjp => Some(Sweep::Reverse),
             DerivativeKind::Jacobian | DerivativeKind::PackedJacobian => {
-                (self.n_values(tree) == 1).then_some(Sweep::Reverse)
+                (self.n_values_at_most(tree) == 1).then_some(Sweep::Reverse)
             }
             DerivativeKind::Hessian => None,
         }
@@ -78,7 +78,7 @@ impl Part {
         let Some(derivative) = &self.derivative else {
             return Rows::default();
         };
-        let [forward, reverse] = [self.n_variables(tree), self.n_values(tree)];
+        let [forward, reverse] = [self.n_variables(tree), self.n_values_at_most(tree)];
         match derivative.kind {
             DerivativeKind::Jacobian | DerivativeKind::PackedJacobian => Rows { forward, reverse },
             DerivativeKind::Jvp => Rows {
@@ -101,8 +101,17 @@ impl Part {
     }
 
     /// How many numbers its values have at most.
-    fn n_values(&self, tree: &Tree) -> usize {
+    fn n_values_at_most(&self, tree: &Tree) -> usize {
         self.values().n_numbers(tree)
+    }
+
+    /// How many numbers its values have.
+    pub fn n_values(&self, tree: &Tree) -> usize {
+        let values = self.values();
+        let own = |dimension| values.own_length(dimension, tree, 0);
+        let outputs = values.outputs().into_owned().into_iter();
+        let size = |output: Output| output.shape.lengths(tree, own).iter().product::<usize>();
+        outputs.map(size).sum()
     }
 
     /// How many numbers it writes at most: what takes a while to find is bounded.
@@ -120,7 +129,7 @@ impl Part {
                     let n = self.n_variables(tree);
                     n * (n + 1) / 2
                 }
-                Dimension::Entries => self.n_values(tree) * self.n_variables(tree),
+                Dimension::Entries => self.n_values_at_most(tree) * self.n_variables(tree),
                 // Elimination couples more only where joints follow others.
                 Dimension::Packed(Packed::Factors) if !tree.has_followers() => terms::pairs(tree),
                 Dimension::Packed(Packed::Regressor) if !tree.has_followers() => {

@@ -17,6 +17,10 @@ pub struct Entries {
     pub doc: String,
     /// The row and column of each.
     pub places: Vec<[usize; 2]>,
+    /// How many rows there are.
+    pub n_rows: usize,
+    /// How many columns belong to each variable, in their order.
+    pub columns: Vec<(String, usize)>,
     /// The colours of its columns, where it has any.
     pub colors: Option<Colors>,
 }
@@ -52,6 +56,9 @@ impl Entries {
         } else {
             "row after row"
         };
+        let by = part.derivative.iter().flat_map(|own| &own.by);
+        let columns = by.map(|own| (own.name().to_owned(), own.n_entries(tree)));
+        let columns: Vec<(String, usize)> = columns.collect();
         Some(Self {
             length: part.len_constant(),
             constant: part.places_constant(),
@@ -59,6 +66,12 @@ impl Entries {
                 "The row and column of each entry that `{text}` writes, {which}: the others are zero, whatever numbers the model has."
             ),
             places: sparsity.places.clone(),
+            n_rows: if is_second {
+                columns.iter().map(|(_, length)| length).sum()
+            } else {
+                part.n_values(tree)
+            },
+            columns,
             colors: sparsity.colors.clone().map(|colors| Colors {
                 constant: part.colors_constant(),
                 doc: format!(

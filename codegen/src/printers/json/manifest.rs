@@ -3,7 +3,7 @@
 //! What is known only of a compiled function, its stack and its size, is not here.
 
 use super::{
-    constants, geometry, interface,
+    constants, geometry, interface, pattern,
     syntax::{list, number, object, one_or_several, records, string, strings},
 };
 use crate::{
@@ -101,6 +101,7 @@ fn function(facts: &Facts, function: &Function, prefix: Option<&str>) -> String 
             members.push(("unit", one_or_several(&units)));
         }
         members.push(("meaning", string(&argument.meaning)));
+        members.extend(pattern::members(facts, argument));
         object(&members)
     };
     let mut members = vec![("name", string(&function.signature.name))];

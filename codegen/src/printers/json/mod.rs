@@ -4,6 +4,7 @@ mod constants;
 mod geometry;
 mod interface;
 mod manifest;
+mod pattern;
 mod syntax;
 
 pub(crate) use manifest::text as manifest;

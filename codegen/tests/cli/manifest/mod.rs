@@ -148,6 +148,58 @@ fn every_constant_of_the_module_is_in_it_or_is_a_size() {
 }
 
 #[test]
+fn packed_outputs_say_how_they_are_read() {
+    let functions = r#"["mass_matrix_packed", "jacobian_packed(tool)", "step = bias+packed(d(bias)/d(q, u))", "hessian(bias; q, u)"]"#;
+    let manifest = manifest(&robot(functions, ""));
+    let constants = &manifest["constants"];
+    let output = |function: &str, place: usize| {
+        let mut functions = manifest["functions"].as_array().unwrap().iter();
+        let function = functions.find(|own| own["name"] == function).unwrap();
+        function["outputs"][place].clone()
+    };
+    let named = |output: &Value, key: &str| constants[output[key].as_str().unwrap()].clone();
+    let n = manifest["NU"].as_u64().unwrap();
+
+    let mass = output("mass_matrix_packed", 0);
+    let places = named(&mass, "places");
+    assert_eq!(places.as_array().unwrap().len() as u64, mass["shape"][0]);
+    assert!(mass.get("rows").is_none());
+
+    let jacobian = output("tool_jacobian_packed", 1);
+    let speeds = named(&jacobian, "columns_of");
+    assert_eq!(
+        speeds.as_array().unwrap().len() as u64,
+        jacobian["shape"][1]
+    );
+
+    let derivative = output("step", 1);
+    let columns = json!([
+        { "by": "q", "first": 0, "length": n },
+        { "by": "u", "first": n, "length": n },
+    ]);
+    assert_eq!(
+        (&derivative["rows"], &derivative["columns"]),
+        (&json!(n), &columns)
+    );
+    let places = named(&derivative, "places");
+    assert_eq!(
+        places.as_array().unwrap().len() as u64,
+        derivative["shape"][0]
+    );
+    assert_eq!(
+        named(&derivative, "colors").as_array().unwrap().len() as u64,
+        2 * n
+    );
+    assert!(output("step", 0).get("places").is_none());
+
+    let second = output("hessian_bias_q_u", 0);
+    assert_eq!(second["rows"], json!(2 * n));
+    assert!(second.get("colors").is_none());
+    let places = named(&second, "places");
+    assert_eq!(places.as_array().unwrap().len() as u64, second["shape"][0]);
+}
+
+#[test]
 fn shapes_of_arguments_are_those_of_their_numbers_in_memory() {
     let functions = r#"["loaded_forward_dynamics", "bias(sin_cos)"]"#;
     let manifest = manifest(&robot(functions, ""));
