@@ -1,5 +1,7 @@
 //! One function: documentation, signature, statements, and the trait that holds it.
 
+use std::iter;
+
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{Item, ItemFn, parse_quote};
@@ -19,22 +21,20 @@ use crate::{
 };
 
 /// The items of one function, in order: its pattern, itself, its trait.
-pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
+pub(super) fn items(facts: &Facts, function: &Function) -> impl Iterator<Item = Item> {
     let pattern = function.pattern.map(|place| &facts.patterns[place]);
-    let mut items = pattern.map_or_else(Vec::new, |pattern| {
-        constants::items(&facts.pattern_constants(pattern))
-    });
-    items.extend(lockstep::items(facts, function));
-    items.extend(stages::items(facts, function));
-    items.push(item(facts, function));
-    items.extend(
-        function
-            .catalogue_part
-            .as_ref()
-            .and_then(|part| trait_impl(function, part)),
-    );
-    items.extend(derivatives::trait_impl(function));
-    items
+    let pattern = pattern.map(|pattern| constants::items(&facts.pattern_constants(pattern)));
+    let own = iter::once_with(move || item(facts, function));
+    let part = function.catalogue_part.as_ref();
+    let traits = part.and_then(|part| trait_impl(function, part));
+    pattern
+        .into_iter()
+        .flatten()
+        .chain(lockstep::items(facts, function))
+        .chain(stages::items(facts, function))
+        .chain(own)
+        .chain(traits)
+        .chain(derivatives::trait_impl(function))
 }
 
 /// The function itself.

@@ -15,9 +15,9 @@ use crate::{
 };
 
 /// The helpers of a function, of which nobody else knows.
-pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
+pub(super) fn items(facts: &Facts, function: &Function) -> impl Iterator<Item = Item> {
     let helpers = function.helpers.iter();
-    helpers.map(|helper| item(facts, helper)).collect()
+    helpers.map(move |helper| item(facts, helper))
 }
 
 /// A helper. What it computes is some numbers first, as scratch is.

@@ -16,12 +16,11 @@ use crate::{
 };
 
 /// Every stage as a function, of which nobody else knows, and what it returns.
-pub(super) fn items(facts: &Facts, of: &Function) -> Vec<Item> {
-    let items = of.stages.iter().flat_map(|stage| {
+pub(super) fn items(facts: &Facts, of: &Function) -> impl Iterator<Item = Item> {
+    of.stages.iter().flat_map(move |stage| {
         let kept = (!stage.kept.is_empty()).then(|| structure(stage));
         kept.into_iter().chain([function(facts, of, stage)])
-    });
-    items.collect()
+    })
 }
 
 /// The type of what a stage returns.

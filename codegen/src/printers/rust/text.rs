@@ -7,8 +7,8 @@ use syn::{File, Item, Stmt, parse_quote};
 /// What stands for a comment until it is printed: syntax has none.
 const COMMENT: &str = "kane_comment!(";
 
-/// Items as prettyplease prints them, each after an empty line.
-pub(super) fn printed(items: Vec<Item>) -> String {
+/// Items as prettyplease prints them, each after an empty line; of long ones no more than one is held at a time.
+pub(super) fn printed(items: impl IntoIterator<Item = Item>) -> String {
     let mut text = String::new();
     for item in items {
         text.push('\n');
