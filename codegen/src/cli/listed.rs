@@ -16,7 +16,7 @@ use kane_codegen::{
 
 use crate::cli::{
     Failures,
-    arguments::{changes::ChangesArguments, options::are_listed},
+    arguments::{changes::ChangesArguments, functions::are_listed},
     job::{self, Job, Listing},
     paths,
     target::Target,

@@ -115,7 +115,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         Command::Info(arguments) => info::run(arguments, voice, out)?,
         Command::Eval(arguments) => eval::run(arguments, voice, out)?,
         Command::Convert(arguments) => convert::run(arguments, voice, out)?,
-        Command::Verify(arguments) => verify::run(arguments, out)?,
+        Command::Verify(arguments) => verify::run(arguments, voice, out)?,
         Command::Completions(arguments) => completions::run(arguments, Arguments::command(), out)?,
     };
     out.flush()?;

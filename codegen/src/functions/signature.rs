@@ -66,14 +66,14 @@ pub enum Access {
 impl Signature {
     /// The documentation, and a line for each argument; names of the module's tables with `prefix` before them.
     pub fn lines(&self, prefix: &str) -> Vec<String> {
-        let tables = self.tables.iter();
-        let doc = self.doc.iter().map(|line| {
-            tables.clone().fold(line.clone(), |line, table| {
+        let arguments = self.arguments.iter().map(Declared::line);
+        let lines = self.doc.iter().cloned().chain([String::new()]);
+        let lines = lines.chain(arguments).map(|line| {
+            self.tables.iter().fold(line, |line, table| {
                 line.replace(&format!("`{table}`"), &format!("`{prefix}{table}`"))
             })
         });
-        let arguments = self.arguments.iter().map(Declared::line);
-        doc.chain([String::new()]).chain(arguments).collect()
+        lines.collect()
     }
 }
 

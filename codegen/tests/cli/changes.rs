@@ -374,3 +374,24 @@ fn info_and_eval_see_the_model_that_is_generated() {
     let value: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
     assert_eq!(value["coordinates"].as_array().unwrap().len(), 3);
 }
+
+#[test]
+fn several_names_in_one_are_told_apart() {
+    let project = Project::arm();
+    let told = |option: &str, names: &str| {
+        let ran = project.kane(&["info", "models/arm.toml", option, names]);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{option}");
+        ran.err
+    };
+    let help = "these are several names: give each by itself";
+    for (option, names) in [
+        ("--lock", "upper_theta1=0.1,upper_s2=0.2"),
+        ("--remove", "upper,fore"),
+        ("--prescribed", "upper,fore"),
+    ] {
+        assert!(told(option, names).contains(help), "{option}");
+    }
+    assert!(!told("--remove", "uper,foer").contains(help));
+    let coordinates = "that is a joint; its coordinates are upper_theta1, upper_s2";
+    assert!(told("--lock", "upper").contains(coordinates));
+}

@@ -120,6 +120,15 @@ fn frame_that_is_written_in_two_ways_is_one() {
 }
 
 #[test]
+fn parts_are_packed_before_they_are_joined() {
+    let project = with_functions(r#"["packed(bias+d(bias)/d(q))"]"#);
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.code, 2);
+    let help = "a part is packed by itself, and joined outside: `forward_dynamics+packed(d(forward_dynamics)/d(q, u))`";
+    assert!(ran.err.contains(help), "{}", ran.err);
+}
+
+#[test]
 fn functions_of_frames_stand_beside_all() {
     let project = with_functions(r#"["all", "pose(fore)", "bias+mass_matrix"]"#);
     assert_eq!(project.kane(&["generate"]).code, 0);

@@ -44,6 +44,21 @@ fn promises_that_hold_are_a_table_of_functions() {
 }
 
 #[test]
+fn files_beside_a_module_are_left_out() {
+    let project = Project::arm();
+    let asked = ["generate", "models/arm.toml", "--with-tests", "--abi", "c"];
+    assert_eq!(project.kane(&asked).code, 0);
+    let files = [MODULE, "generated/arm_c.rs", "generated/arm_tests.rs"];
+    let ran = verify(&project, &files);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert_eq!(
+        ran.err,
+        "note: 2 of the files are beside modules and only call what is checked there\n"
+    );
+    assert_eq!(ran.out, verify(&project, &[MODULE]).out);
+}
+
+#[test]
 fn a_broken_promise_names_function_and_instruction() {
     let project = Project::generated();
     let fault =

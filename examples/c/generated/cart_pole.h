@@ -51,6 +51,11 @@ enum {
     CART_POLE_U_POLE_THETA2_DOT = 1
 };
 
+/// The values set at run time, as columns of derivatives by all of them.
+enum {
+    CART_POLE_PARAMETER_POLE_MASS = 0
+};
+
 /// The angles among the coordinates, in the order of their sines and cosines.
 enum {
     CART_POLE_ANGLE_POLE_THETA2 = 0

@@ -7,10 +7,13 @@ use std::{
 };
 
 use clap::{Args, ValueEnum};
-use kane_codegen::object::{self, OptLevel, Options, Report, Runtime, Scalar};
+use kane_codegen::{
+    object::{self, OptLevel, Options, Report, Runtime, Scalar},
+    options::companion::CompanionKind,
+};
 use serde_json::{Value, json};
 
-use crate::cli::{Failures, Outcome, arguments::parse::one_of, paths, text::json};
+use crate::cli::{Failures, Outcome, Voice, arguments::parse::one_of, paths, text::json};
 
 /// Check the machine code of generated functions against the guarantees
 ///
@@ -26,7 +29,7 @@ use crate::cli::{Failures, Outcome, arguments::parse::one_of, paths, text::json}
     2  a module that cannot be read or compiled, or machine code that cannot be read (only x86-64 in ELF can)\n\n\
     Examples:\n  \
     kane verify src/arm.rs\n  \
-    kane verify generated/*.rs --opt-level 2 --scalar f32")]
+    kane verify generated/*.rs --opt-level 2 --scalar f32   what is beside modules is left out")]
 pub(crate) struct Arguments {
     /// Generated modules
     #[arg(value_name = "FILE", required = true)]
@@ -66,7 +69,11 @@ enum Format {
 }
 
 /// Compiles and reads.
-pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+pub(crate) fn run(
+    arguments: &Arguments,
+    voice: Voice,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failures> {
     let options = Options {
         scalar: arguments.scalar,
         opt_level: arguments.opt_level,
@@ -77,8 +84,18 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         None => depended_on(&arguments.modules[0])?,
     };
     let runtime = Runtime::new(&root, &options)?;
+    let (beside, modules): (Vec<&PathBuf>, Vec<&PathBuf>) = arguments
+        .modules
+        .iter()
+        .partition(|path| is_beside(path, &arguments.modules));
+    if !beside.is_empty() {
+        let n = beside.len();
+        voice.say(format_args!(
+            "note: {n} of the files are beside modules and only call what is checked there"
+        ));
+    }
     let mut failures = Failures::default();
-    let reports = arguments.modules.iter();
+    let reports = modules.into_iter();
     let reports: Vec<(&Path, Report)> = reports
         .filter_map(|path| {
             let report = failures.keep(object::verify(&runtime, path));
@@ -103,6 +120,14 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     } else {
         Outcome::Broken
     })
+}
+
+/// True for a file that is generated beside one of these modules: functions for C, tests.
+fn is_beside(path: &Path, modules: &[PathBuf]) -> bool {
+    let kinds = CompanionKind::ALL.into_iter();
+    let mut beside =
+        kinds.flat_map(|kind| modules.iter().flat_map(move |module| kind.beside(module)));
+    beside.any(|beside| beside == path)
 }
 
 fn value(path: &Path, report: &Report) -> Value {

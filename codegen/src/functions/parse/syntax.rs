@@ -323,7 +323,12 @@ impl<'a> Reader<'a> {
 
     fn packed(&mut self) -> Result<Kind, Unexpected> {
         let of = self.inner()?;
-        self.expect(')', "expected `)`")?;
+        let expected = if self.rest().starts_with('+') {
+            "a part is packed by itself, and joined outside: `forward_dynamics+packed(d(forward_dynamics)/d(q, u))`"
+        } else {
+            "expected `)`"
+        };
+        self.expect(')', expected)?;
         Ok(Kind::Packed { of })
     }
 

@@ -98,7 +98,7 @@ impl Header<'_> {
         self.facts.sizes.0.iter().map(define).collect()
     }
 
-    /// Where in their arrays coordinates, speeds, angles and bodies stand.
+    /// Where in their arrays coordinates, speeds, values set at run time, angles and bodies stand.
     fn places(&self) -> Vec<String> {
         let facts = self.facts;
         let bodies = facts.bodies.iter().map(|body| body.identifier.as_str());
@@ -115,6 +115,10 @@ impl Header<'_> {
                 facts.speeds.iter().map(String::as_str).collect(),
             ),
         ];
+        let parameters = facts.parameters.iter();
+        let parameters = parameters.map(|parameter| parameter.name.as_str());
+        let doc = "The values set at run time, as columns of derivatives by all of them.";
+        lists.push(("PARAMETER", doc, parameters.collect()));
         if let Some(angles) = &facts.angles {
             let angles = angles.iter().map(|angle| angle.name.as_str());
             let doc = "The angles among the coordinates, in the order of their sines and cosines.";

@@ -185,7 +185,18 @@ fn meant(
             name.escape_debug()
         );
         let fault = Diagnostic::error(fault).of_entry(Changes::LOCK, name);
-        return Err(with_known(fault, name, &known, "the free coordinates"));
+        return Err(match joint_named(description, name) {
+            None => with_known(fault, name, &known, "the free coordinates"),
+            Some(body) => {
+                let own = free.iter().filter(|known| known.motion.0 == body);
+                let own: Vec<&str> = own.map(|known| known.name.as_str()).collect();
+                fault.help(if own.is_empty() {
+                    "that is a joint without a coordinate that can be held at a value; `remove` fixes it at zero".to_owned()
+                } else {
+                    format!("that is a joint; its coordinates are {}", own.join(", "))
+                })
+            }
+        });
     };
     match meant.find(|other| other.motion != motion) {
         None => Ok(motion),

@@ -14,6 +14,10 @@ pub(crate) fn joint_named(description: &Description, name: &str) -> Option<usize
 
 /// Which of the known names was probably meant, or which there are: `what` says of what. `None` where there are none.
 pub(crate) fn meant(name: &str, known: &[&str], what: &str) -> Option<String> {
+    let mut several = name.split([',', '=']).map(str::trim);
+    if name.contains(',') && several.any(|one| known.contains(&one)) {
+        return Some("these are several names: give each by itself".to_owned());
+    }
     match nearest(name, known) {
         Some(near) => Some(format!("did you mean `{}`?", near.escape_debug())),
         None if known.is_empty() => None,

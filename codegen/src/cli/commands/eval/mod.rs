@@ -28,7 +28,7 @@ use serde_json::{Map, Value, json};
 
 use self::state::State;
 use crate::cli::{
-    Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::options,
+    Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::functions,
     arguments::parse, job::Job, listed, text::json,
 };
 
@@ -104,8 +104,8 @@ pub(crate) fn run(
         slice::from_ref(&arguments.function),
     );
     let listed = job.as_ref().ok().map(|job| &job.options.functions);
-    let named = listed.and_then(|listed| options::named(&arguments.function, listed));
-    let function = named.map_or_else(|| options::request(&arguments.function), Ok);
+    let named = listed.and_then(|listed| functions::named(&arguments.function, listed));
+    let function = named.map_or_else(|| functions::request(&arguments.function), Ok);
     let function = failures.keep(function);
     let job = failures.keep(job);
     let checked = job.as_ref().map(Job::checked);

@@ -352,7 +352,10 @@ fn numbers(lengths: &[usize]) -> String {
 
 /// What was probably meant.
 fn known_names(name: &str, known: &[&str], what: &str) -> String {
-    match nearest(name, known) {
+    // Speeds are listed without what their own names end in.
+    let without = name.strip_suffix("_dot");
+    let near = nearest(name, known).or_else(|| nearest(without?, known));
+    match near {
         Some(near) => format!("did you mean `{near}`?"),
         None if known.is_empty() => format!("there are no {what}"),
         None => format!("the {what} are {}", known.join(", ")),

@@ -19,7 +19,7 @@ use kane_codegen::{
 
 use self::facts::Shown;
 use crate::cli::{
-    Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::options,
+    Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::functions,
     arguments::parse::one_of, listed, rounded_angles, text::json,
 };
 
@@ -101,7 +101,7 @@ pub(crate) fn run(
         asked.unwrap_or_default(),
     )?;
     let listed = &job.options.functions;
-    let asked = asked.map(|asked| options::functions_of(asked, listed));
+    let asked = asked.map(|asked| functions::functions_of(asked, listed));
     let asked = asked.transpose()?;
     let model = job.checked()?;
     voice.warn_without_notes(&model.warnings);
