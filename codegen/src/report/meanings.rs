@@ -28,8 +28,8 @@ pub struct Meaning {
 /// # Errors
 /// A text that is not Rust.
 pub fn meanings(old: &str, new: &str) -> Result<Vec<Meaning>, syn::Error> {
-    let old: BTreeMap<String, String> = rust::read(old, said)?.into_iter().collect();
-    let new = rust::read(new, said)?.into_iter();
+    let old: BTreeMap<String, String> = rust::read(old, |file| said(&file))?.into_iter().collect();
+    let new = rust::read(new, |file| said(&file))?.into_iter();
     let changed = new.filter_map(|(name, new)| {
         let old = old.get(&name).filter(|old| **old != new)?.clone();
         Some(Meaning { name, old, new })
@@ -38,19 +38,19 @@ pub fn meanings(old: &str, new: &str) -> Result<Vec<Meaning>, syn::Error> {
 }
 
 /// What a module says, place by place.
-fn said(file: File) -> Vec<(String, String)> {
+fn said(file: &File) -> Vec<(String, String)> {
     let names = |name| -> Vec<String> {
-        let names = list(&file, name).into_iter();
+        let names = list(file, name).into_iter();
         names.filter_map(string).collect()
     };
     let coordinate_names = names(constants::COORDINATE_NAMES);
-    let joints = list(&file, constants::JOINTS).into_iter();
+    let joints = list(file, constants::JOINTS).into_iter();
     let units = joints.flat_map(coordinates).filter_map(|(place, kind)| {
         let name = coordinate_names.get(place)?;
         Some((format!("q of {name}"), kind.unit().to_owned()))
     });
     let mut said: Vec<(String, String)> = units.collect();
-    let prescribed = constant(&file, PRESCRIBED).map(entries);
+    let prescribed = constant(file, PRESCRIBED).map(entries);
     said.extend(prescribed.map(|flags| {
         let speeds = names(constants::SPEED_NAMES);
         let given = speeds

@@ -201,6 +201,7 @@ fn of_several_ways_that_with_the_fewest_theorems_is_taken() {
 
 /// Sums of one more coordinate each, and the coordinates themselves.
 #[test]
+#[expect(clippy::disallowed_methods, reason = "the test is of the time")]
 fn long_chains_take_a_time_that_does_not_grow_with_their_cube() {
     let mut graph = ExprGraph::default();
     let mut roots = Vec::new();

@@ -1,7 +1,5 @@
 //! Functions of frames' origins beside those of the whole frames.
 
-#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
-
 use std::{collections::BTreeSet, fs};
 
 use kane_codegen::{

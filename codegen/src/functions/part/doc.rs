@@ -53,7 +53,7 @@ impl Part {
             said += before;
             match known.get(word) {
                 Some(own) => said += own,
-                None => said += &format!("{{{word}}}"),
+                None => said.extend(["{", word, "}"]),
             }
             rest = after;
         }

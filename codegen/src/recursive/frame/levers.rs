@@ -27,7 +27,7 @@ pub(super) fn pose(
     let (way, reach) = Way::aligned(graph, tree, links, frame, from);
     let lever = Lever::all_the_way(graph, &way, reach.position);
     let view = way.view(graph, from);
-    let position = graph.sub_vectors(lever.lever, view.position);
+    let position = graph.sub_vectors(lever.position, view.position);
     let axes = Axes::all_the_way(graph, &way, view.axes, lever.at_turns);
     FramePose {
         rotation: graph.mul_matrices(&reach.axes, &transpose(&axes.basis)),
@@ -61,7 +61,7 @@ fn met<T>(drive: Drive, before: T, after: T) -> T {
 
 /// Where the frame is, from the origin that has been reached.
 struct Lever {
-    lever: Vector,
+    position: Vector,
     goes_inward: bool,
     /// The same where motions meet it, rotation by rotation.
     at_turns: Vec<Vector>,
@@ -71,18 +71,18 @@ impl Lever {
     /// From this position in the frame's link to who sees it.
     fn all_the_way(graph: &mut ExprGraph, way: &Way<'_>, position: Vector) -> Self {
         let mut lever = Self {
-            lever: position,
+            position,
             goes_inward: true,
             at_turns: Vec::new(),
         };
         for &body in &way.ahead {
             way.inward(graph, body, &mut lever);
-            graph.name_vector(lever.lever, "lever");
+            graph.name_vector(lever.position, "lever");
         }
         lever.goes_inward = false;
         for &body in way.behind.iter().rev() {
             way.outward(graph, body, &mut lever);
-            graph.name_vector(lever.lever, "lever");
+            graph.name_vector(lever.position, "lever");
         }
         lever
     }
@@ -90,21 +90,21 @@ impl Lever {
 
 impl Passenger for Lever {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
-        self.lever = if self.goes_inward {
-            graph.add_vectors(self.lever, offset)
+        self.position = if self.goes_inward {
+            graph.add_vectors(self.position, offset)
         } else {
-            graph.sub_vectors(self.lever, offset)
+            graph.sub_vectors(self.position, offset)
         };
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        let from = self.lever;
+        let from = self.position;
         let at_turn = if self.goes_inward {
-            self.lever = rotation.backward(graph, from);
-            met(drive, self.lever, from)
+            self.position = rotation.backward(graph, from);
+            met(drive, self.position, from)
         } else {
-            self.lever = rotation.forward(graph, from);
-            met(drive, from, self.lever)
+            self.position = rotation.forward(graph, from);
+            met(drive, from, self.position)
         };
         self.at_turns.push(at_turn);
     }
