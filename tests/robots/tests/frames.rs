@@ -168,6 +168,8 @@ fn jacobians_times_speeds_are_velocities() {
 
 #[test]
 fn motions_of_the_origin_are_the_linear_part_of_the_frame_s() {
+    type Hand = PandaHandTcp;
+    type Own = Local<Hand>;
     let system = Prepared::<f64>::nominal();
     for (q, u) in states() {
         let u_dot = std::array::from_fn(|place| q[place] - 2.0 * u[place]);
@@ -176,12 +178,10 @@ fn motions_of_the_origin_are_the_linear_part_of_the_frame_s() {
         let expected = &pose::<PandaHandTcp, _>(&system, &q)[9..];
         assert_close("position", &found, expected, EXACT);
 
-        type Own = Local<PandaHandTcp>;
         LinearVelocity::<f64, Own>::linear_velocity(&system, &q, &u, &mut found);
         let [expected, _] = velocity::<Own, _>(&system, &q, &u);
         assert_close("velocity", &found, &expected, EXACT);
 
-        type Hand = PandaHandTcp;
         LinearAcceleration::<f64, Hand>::linear_acceleration(&system, &q, &u, &u_dot, &mut found);
         Acceleration::<f64, Hand>::acceleration(&system, &q, &u, &u_dot, &mut linear, &mut angular);
         assert_close("acceleration", &found, &linear, EXACT);
