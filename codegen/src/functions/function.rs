@@ -66,7 +66,7 @@ pub struct Function {
 pub(super) type JacobiansFn = fn(&mut ExprGraph, &Tree, &Plan) -> Jacobians;
 
 /// How a function changes with what it is given, a matrix for each argument; and its values, where the matrices needed them.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Jacobians {
     pub(super) by: Vec<(Argument, Vec<Vec<Expr>>)>,
     pub(super) values: Option<Vec<Expr>>,

@@ -196,7 +196,13 @@ mod tests {
     fn functions_of_a_frame_are_joined_from_any_on() {
         let asked = of_frame("a \"hand\"+");
         let has_own = |asked: &&String| {
-            asked.starts_with("point_jacobian") || asked.starts_with("generalized_force")
+            [
+                "point_jacobian",
+                "generalized_force",
+                "linear_generalized_force",
+            ]
+            .iter()
+            .any(|own| asked.starts_with(own))
         };
         let n_own = asked.iter().filter(has_own).count();
         assert!(n_own > 1, "{asked:?}");

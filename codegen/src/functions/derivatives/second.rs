@@ -138,17 +138,12 @@ impl Part {
             self.derive_values(derived, tree, formulation, one_by_one);
             derived.roots.split_off(begin)
         });
-        let name = self.values().name();
-        let matrices = told.map(|told| Jacobians {
-            values: None,
-            ..told
-        });
-        let matrices =
-            matrices.map(|told| told.into_told(name.clone(), self.function.derivatives_tell));
+        let found = Jacobians {
+            values: Some(u_dot.clone()),
+            ..told.unwrap_or_default()
+        };
         First {
-            told: matrices
-                .unwrap_or_default()
-                .with_values(name, Some(u_dot.clone())),
+            told: found.into_told(self.values().name(), self.function.derivatives_tell),
             u_dot,
             rows,
             weights,

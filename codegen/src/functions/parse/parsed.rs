@@ -7,7 +7,8 @@
 use std::ops::Range;
 
 use super::{
-    given_name, joined,
+    given_name,
+    joined::{self, WrittenPart},
     parsed_subject::ParsedSubject,
     request_error::{RequestError, all_or_faults},
     syntax::{self, AT_SIN_COS, Kind, Product, Unexpected, Word, written},
@@ -78,8 +79,8 @@ impl Parsed {
         let parts = all_or_faults(parts);
         match &parts {
             Ok(parts) => {
-                let written = parts.iter().map(|part| (part.text(), part.function));
-                faults.extend(joined::written_fault(text, written));
+                let written: Vec<WrittenPart> = parts.iter().map(ParsedPart::written).collect();
+                faults.extend(joined::written_fault(text, &written));
             }
             Err(more) => faults.extend(more.iter().cloned()),
         }
@@ -352,6 +353,15 @@ impl ParsedPart {
         };
         let by: Vec<String> = by.iter().map(|word| written(&word.text)).collect();
         Derivative::text(*kind, &of, &by.join(", "))
+    }
+
+    fn written(&self) -> WrittenPart {
+        WrittenPart {
+            text: self.text(),
+            of_values: self.text_of_values(),
+            function: self.function,
+            derivative: self.derivative.as_ref().map(|(kind, _)| *kind),
+        }
     }
 
     fn place(&self) -> PartPlace {

@@ -25,9 +25,9 @@ pub(crate) fn text(module: &Module, prefix: Option<&str>) -> String {
     let joints = facts.joints.iter().map(geometry::joint);
     let frames = facts.frames.iter().chain(&facts.markers);
     members.extend([
-        ("joints", records("  ", joints)),
-        ("frames", records("  ", frames.map(geometry::frame))),
-        ("parameters", records("  ", parameters)),
+        ("joints", records(joints)),
+        ("frames", records(frames.map(geometry::frame))),
+        ("parameters", records(parameters)),
         ("prepared", facts.fields.len().to_string()),
         ("preparation", operations(module.prepare.operations)),
         ("constants", constants::member(facts)),
@@ -35,7 +35,7 @@ pub(crate) fn text(module: &Module, prefix: Option<&str>) -> String {
     members.extend(prefix.map(|prefix| ("c", interface::member(module, prefix))));
     let functions = module.functions.iter();
     let functions = functions.map(|one| function(facts, one, prefix));
-    members.push(("functions", records("  ", functions)));
+    members.push(("functions", records(functions)));
     let members = members.into_iter();
     let members: Vec<String> = members
         .map(|(key, value)| format!("  {}: {value}", string(key)))

@@ -26,14 +26,14 @@ pub(super) fn strings<S: AsRef<str>>(items: impl IntoIterator<Item = S>) -> Stri
     list(items.into_iter().map(|item| string(item.as_ref())))
 }
 
-/// A list with an item a line, where the list begins in a line indented by `indent`.
-pub(super) fn records(indent: &str, items: impl IntoIterator<Item = String>) -> String {
+/// A list with an item a line, of a member of the whole.
+pub(super) fn records(items: impl IntoIterator<Item = String>) -> String {
     let items = items.into_iter();
-    let items: Vec<String> = items.map(|item| format!("{indent}  {item}")).collect();
+    let items: Vec<String> = items.map(|item| format!("    {item}")).collect();
     if items.is_empty() {
         return "[]".to_owned();
     }
-    format!("[\n{}\n{indent}]", items.join(",\n"))
+    format!("[\n{}\n  ]", items.join(",\n"))
 }
 
 /// An object on one line; values are JSON already.
