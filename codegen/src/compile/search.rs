@@ -34,7 +34,7 @@ const MOST_STARTS: usize = 1_500;
 pub(super) fn plan(tree: &Tree, request: &Request, without: &BTreeSet<Technique>) -> Plan {
     let mut counts = Counts::new();
     let mut best: Option<Found> = None;
-    for left_out in starts(request) {
+    for left_out in starts(request, without) {
         let found = from(tree, request, without, &left_out, &mut counts);
         let is_small = found.n_first <= MOST_STARTS;
         if best.as_ref().is_none_or(|best| found.least < best.least) {
@@ -49,20 +49,27 @@ pub(super) fn plan(tree: &Tree, request: &Request, without: &BTreeSet<Technique>
 
 /// What is left out where the search starts: which way inertias are best regrouped depends most on the first two, what is best for a
 /// frame on how it passes.
-fn starts(request: &Request) -> Vec<Vec<Technique>> {
+fn starts(request: &Request, without: &BTreeSet<Technique>) -> Vec<Vec<Technique>> {
     use Technique::{Balance, Inward, Levers, Slide};
-    let mut starts = vec![vec![], vec![Slide]];
-    if request.reads_inertias() {
-        starts = vec![vec![], vec![Balance], vec![Slide], vec![Balance, Slide]];
-    }
-    if request.is_of_frames() {
-        let others = [vec![Inward], vec![Inward, Levers]];
-        let beside = |other: &Vec<Technique>| {
-            let starts = starts.iter().map(|own| [&own[..], other].concat());
-            starts.collect::<Vec<_>>()
-        };
-        let others: Vec<_> = others.iter().flat_map(beside).collect();
-        starts.extend(others);
+    let of_links: &[&[Technique]] = if request.reads_inertias() {
+        &[&[], &[Balance], &[Slide], &[Balance, Slide]]
+    } else {
+        &[&[], &[Slide]]
+    };
+    let of_frames: &[&[Technique]] = if request.passes_frames() {
+        &[&[], &[Inward], &[Inward, Levers]]
+    } else {
+        &[&[]]
+    };
+    let mut starts: Vec<Vec<Technique>> = Vec::new();
+    for own in of_frames {
+        for start in of_links.iter().map(|links| [*links, *own].concat()) {
+            let start = start.into_iter().filter(|one| !without.contains(one));
+            let start: Vec<Technique> = start.collect();
+            if !starts.contains(&start) {
+                starts.push(start);
+            }
+        }
     }
     starts
 }
@@ -246,7 +253,7 @@ impl Search<'_> {
             let factor = !without.contains(&Technique::Factor);
             let mut plain = Plan::plain(self.tree).with(Technique::Factor, factor);
             for way in [Technique::Inward, Technique::Levers] {
-                plain.set(way, self.request.is_of_frames() && start.uses(way));
+                plain.set(way, self.request.passes_frames() && start.uses(way));
             }
             self.try_one(plain);
         }
@@ -313,7 +320,7 @@ impl Search<'_> {
             Technique::Articulated => self.factors_have_a_chance(),
             Technique::LinkAxes | Technique::Fall => self.request.solves(),
             Technique::Carriers => self.request.inverts(),
-            Technique::Inward | Technique::Levers => self.request.is_of_frames(),
+            Technique::Inward | Technique::Levers => self.request.passes_frames(),
             Technique::DirectDerivatives | Technique::Reverse | Technique::Lockstep => false,
             Technique::Slide
             | Technique::Turn

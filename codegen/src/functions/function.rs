@@ -183,6 +183,13 @@ impl Function {
         }
     }
 
+    /// True where a plan may choose how frames are passed: of where they are, and of what moves them.
+    pub(super) fn passes_frames(&self) -> bool {
+        let mut arguments = self.arguments.iter();
+        self.of != Of::System
+            && arguments.all(|argument| matches!(argument, Argument::Q | Argument::Point))
+    }
+
     /// True where accelerations or the inverse of the mass matrix are solved for.
     pub(super) fn solves(&self) -> bool {
         match self.mass_matrix {

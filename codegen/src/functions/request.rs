@@ -58,6 +58,11 @@ impl Request {
         parts.any(|part| part.subject.is_some())
     }
 
+    /// True where a plan may choose how frames are passed.
+    pub fn passes_frames(&self) -> bool {
+        self.functions().any(Function::passes_frames)
+    }
+
     /// True where a plan may choose how inertias are regrouped.
     pub fn reads_inertias(&self) -> bool {
         self.functions().any(Function::reads_inertias)

@@ -392,6 +392,6 @@ fn several_names_in_one_are_told_apart() {
         assert!(told(option, names).contains(help), "{option}");
     }
     assert!(!told("--remove", "uper,foer").contains(help));
-    let coordinates = "that is a joint; its coordinates are upper_theta1, upper_s2";
+    let coordinates = "the coordinates of that joint are upper_theta1, upper_s2";
     assert!(told("--lock", "upper").contains(coordinates));
 }

@@ -117,6 +117,14 @@ fn frame_that_is_written_in_two_ways_is_one() {
     let first = ran.err.lines().next().unwrap();
     insta::assert_snapshot!(first, @"error: `functions` of system 1: `pose(Fore-{axes})+pose(fore_axes)` names `pose(Fore-{axes})` twice");
     assert!(ran.err.contains("--> kane.toml:4:14"));
+    let (ran, _) = both(r#"["point_jacobian(Fore-{axes})+point_jacobian(fore_axes, local)"]"#);
+    assert!(
+        ran.err.contains("of their own; ask for them apart"),
+        "{}",
+        ran.err
+    );
+    let (ran, _) = both(r#"["vjp(pose(Fore-{axes}); q)+pose(fore_axes)"]"#);
+    assert_eq!(ran.code, 0, "{}", ran.err);
 }
 
 #[test]

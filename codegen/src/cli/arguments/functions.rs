@@ -3,7 +3,7 @@
 use kane_codegen::{
     error::Error,
     functions::{Parsed, split},
-    options::{ALL, Functions, is_in_all, is_set},
+    options::{ALL, DEFAULT, Functions, is_in_all, is_set},
 };
 
 use crate::cli::Failures;
@@ -26,13 +26,20 @@ pub(crate) fn named(name: &str, listed: &Functions) -> Option<Parsed> {
 
 /// True where each of these is among the listed functions, by its request or the name that `kane.toml` gives it.
 pub(crate) fn are_listed(asked: &[String], listed: &Functions) -> bool {
-    let requests: Vec<String> = listed.requests().iter().map(Parsed::text).collect();
+    let requests: Vec<String> = listed.requests().iter().map(Parsed::sum).collect();
     let is_listed = |name: &str| {
+        if is_set(name) {
+            return match listed {
+                Functions::All(_) => true,
+                Functions::Default(_) => name == DEFAULT,
+                Functions::Named(_) => false,
+            };
+        }
         let parsed = Parsed::read(name).ok();
         let function = parsed.as_ref().and_then(Parsed::catalogue_function);
         named(name, listed).is_some()
             || function.is_some_and(|function| listed.names(function))
-            || parsed.is_some_and(|parsed| requests.contains(&parsed.text()))
+            || parsed.is_some_and(|parsed| requests.contains(&parsed.sum()))
     };
     names(asked).into_iter().all(is_listed)
 }

@@ -26,7 +26,7 @@ use crate::cli::{
 /// Writes all files or none: if a model is faulty, it reports all faults of all models and changes no file. It does not touch a
 /// file that is up to date, and it refuses to overwrite a file without a banner of `kane`. The text depends only on the model and
 /// the options: it is the same in every folder and on every machine. It warns of functions that need more operations than
-/// `budget` in kane.toml allows.
+/// `budget` in kane.toml allows. If kane.toml has several modules generated from a model, --functions needs --output to say for which.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
     kane generate\n  \

@@ -88,7 +88,6 @@ fn is_list(name: &str) -> bool {
     name.contains(' ') && name.split(' ').all(|word| Function::find(word).is_some())
 }
 
-/// The functions of frames.
 /// The names of functions of frames, but for those that leave out what is angular.
 fn of_frames() -> Vec<&'static str> {
     let functions = Function::all();

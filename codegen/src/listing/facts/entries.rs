@@ -17,7 +17,7 @@ pub struct Entries {
     pub doc: String,
     /// The row and column of each.
     pub places: Vec<[usize; 2]>,
-    /// How many rows there are.
+    /// How many rows there are: of second derivatives, as many as columns.
     pub n_rows: usize,
     /// How many columns belong to each variable, in their order.
     pub columns: Vec<(String, usize)>,

@@ -65,7 +65,7 @@ impl Sum {
     }
 }
 
-/// Adds other terms so many times; what is left of none is gone. How often the most frequent of those is there that have changed.
+/// Adds other terms so many times; what is left of none is gone. Returns the largest count, without its sign, of those that changed.
 pub(super) fn add(terms: &mut Terms, others: &Terms, times: i64) -> i64 {
     let mut most = 0;
     for (&id, often) in others {
@@ -79,7 +79,7 @@ pub(super) fn add(terms: &mut Terms, others: &Terms, times: i64) -> i64 {
     most
 }
 
-/// Makes it so many times as often. How often the most frequent is there now.
+/// Makes it so many times as often. Returns the largest count, without its sign.
 pub(super) fn scale(terms: &mut Terms, times: i64) -> i64 {
     let scaled = terms.values_mut().map(|often| {
         *often *= times;

@@ -1,4 +1,4 @@
-//! Where the entries of a packed output stand: the names of constants that say so, and which columns belong to which variable.
+//! Where the entries of a packed or compact array stand: the names of constants that say so, and which columns belong to which variable.
 
 use super::syntax::{list, object, string};
 use crate::{
@@ -6,15 +6,19 @@ use crate::{
     listing::{Entries, Facts},
 };
 
-/// Members of an output; none of one that is whole.
-pub(super) fn members(facts: &Facts, output: &Declared) -> Vec<(&'static str, String)> {
+/// Members of an argument; none of one that is whole.
+pub(super) fn members(facts: &Facts, argument: &Declared) -> Vec<(&'static str, String)> {
     let is_of = |constant: &str| {
-        let mut lengths = output.lengths.iter();
+        let mut lengths = argument.lengths.iter();
         lengths.any(|length| matches!(length, Length::Constant(own) if own == constant))
     };
     let mut packed = facts.packed.iter().map(|(packed, _)| packed);
     if let Some(packed) = packed.find(|packed| is_of(packed.length_constant())) {
         return vec![("places", string(packed.places_constant()))];
+    }
+    let mut patterns = facts.patterns.iter();
+    if let Some(pattern) = patterns.find(|pattern| is_of(&pattern.columns)) {
+        return vec![("blocks", string(&pattern.blocks))];
     }
     let mut speeds = facts.frame_speeds.iter();
     if let Some(speeds) = speeds.find(|speeds| is_of(&speeds.length)) {

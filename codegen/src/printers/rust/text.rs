@@ -7,7 +7,7 @@ use syn::{File, Item, Stmt, parse_quote};
 /// What stands for a comment until it is printed: syntax has none.
 const COMMENT: &str = "kane_comment!(";
 
-/// Items as prettyplease prints them, each after an empty line; of long ones no more than one is held at a time.
+/// Items as prettyplease prints them, each after an empty line. They are made one by one: of long ones only one is in memory.
 pub(super) fn printed(items: impl IntoIterator<Item = Item>) -> String {
     let mut text = String::new();
     for item in items {

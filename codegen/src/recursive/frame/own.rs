@@ -1,4 +1,5 @@
-//! Jacobians along a frame's own axes, by steps: links one after the other inward, as they are seen from the frame.
+//! Jacobians along a frame's own axes: links one after the other inward, as they are seen from the frame. Axes and the lever are known
+//! at each motion, so that nothing is left to add up.
 
 use super::reach::{Reach, path};
 use crate::{

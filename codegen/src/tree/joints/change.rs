@@ -137,7 +137,7 @@ fn locked(
     let mut free = lockable(description, joints);
     let mut locked = Locked::new();
     for (name, value) in names {
-        match meant(description, &free, name) {
+        match meant((description, joints), &free, name) {
             Ok((body, motion)) => {
                 free.retain(|known| known.motion != (body, motion));
                 locked.insert((body, motion), value + 0.0);
@@ -173,7 +173,7 @@ fn beyond(
 
 /// The motion that has this name.
 fn meant(
-    description: &Description,
+    (description, joints): (&Description, &[ResolvedJoint]),
     free: &[Lockable],
     name: &str,
 ) -> Result<(usize, usize), Diagnostic> {
@@ -190,10 +190,12 @@ fn meant(
             Some(body) => {
                 let own = free.iter().filter(|known| known.motion.0 == body);
                 let own: Vec<&str> = own.map(|known| known.name.as_str()).collect();
-                fault.help(if own.is_empty() {
-                    "that is a joint without a coordinate that can be held at a value; `remove` fixes it at zero".to_owned()
-                } else {
-                    format!("that is a joint; its coordinates are {}", own.join(", "))
+                let is_fixed = joints[body].free().next().is_none();
+                fault.help(match &own[..] {
+                    [] if is_fixed => "that joint is fixed".to_owned(),
+                    [] => "no coordinate of that joint can be held at a value; `remove` fixes it at zero".to_owned(),
+                    [one] => format!("the coordinate of that joint is {one}"),
+                    several => format!("the coordinates of that joint are {}", several.join(", ")),
                 })
             }
         });

@@ -157,6 +157,8 @@ impl Reader<'_> {
             } else if !self.faults.is_full(Severity::Error) {
                 let fault =
                     Diagnostic::error(format!("`{what}` names none of the {}", places.kind));
+                // Names of speeds end in it, and are listed without.
+                let name = name.strip_suffix("_dot").unwrap_or(name);
                 let help = known_names(name, &places.names(), places.kind);
                 self.faults.push(fault.help(help));
             }
@@ -352,10 +354,7 @@ fn numbers(lengths: &[usize]) -> String {
 
 /// What was probably meant.
 fn known_names(name: &str, known: &[&str], what: &str) -> String {
-    // Speeds are listed without what their own names end in.
-    let without = name.strip_suffix("_dot");
-    let near = nearest(name, known).or_else(|| nearest(without?, known));
-    match near {
+    match nearest(name, known) {
         Some(near) => format!("did you mean `{near}`?"),
         None if known.is_empty() => format!("there are no {what}"),
         None => format!("the {what} are {}", known.join(", ")),
