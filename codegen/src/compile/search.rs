@@ -47,8 +47,8 @@ pub(super) fn plan(tree: &Tree, request: &Request, without: &BTreeSet<Technique>
     best.expect("search: one start is made").plan
 }
 
-/// What is left out where the search starts: which way inertias are best regrouped depends most on the first two, what is best for a
-/// frame on how it passes.
+/// What is left out where the search starts. How inertias are best regrouped depends most on two techniques; what else is best for
+/// a frame depends on how it passes.
 fn starts(request: &Request, without: &BTreeSet<Technique>) -> Vec<Vec<Technique>> {
     use Technique::{Balance, Inward, Levers, Slide};
     let of_links: &[&[Technique]] = if request.reads_inertias() {

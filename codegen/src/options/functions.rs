@@ -1,6 +1,11 @@
 //! Which functions are asked for.
 
-use crate::functions::{Function, Parsed};
+use std::collections::BTreeSet;
+
+use crate::{
+    functions::{Function, Parsed, Request, RequestError},
+    tree::Tree,
+};
 
 /// The functions to generate.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,6 +73,27 @@ impl Functions {
         requests.sort_by_key(Parsed::place);
         requests.dedup_by_key(|request| request.place());
         requests
+    }
+
+    /// The same on the tree of a model; what writes one frame in several ways is one request.
+    ///
+    /// # Errors
+    /// All that the model lacks.
+    pub fn on(&self, tree: &Tree) -> Result<Vec<Request>, Vec<RequestError>> {
+        let (mut requests, mut faults) = (Vec::new(), Vec::new());
+        let mut known = BTreeSet::new();
+        for named in self.requests() {
+            match named.on(tree) {
+                Ok(request) if known.insert(request.text()) => requests.push(request),
+                Ok(_) => {}
+                Err(more) => faults.extend(more),
+            }
+        }
+        if faults.is_empty() {
+            Ok(requests)
+        } else {
+            Err(faults)
+        }
     }
 
     /// True where the function is among them.

@@ -75,20 +75,12 @@ impl Options {
         let catalogue = CATALOGUE.iter();
         let selected = catalogue.filter(|function| self.selects(tree, function));
         let mut requests: Vec<Request> = selected.map(Request::from).collect();
-        let named = self.functions.requests().into_iter();
-        let mut faults = Vec::new();
-        let mut known = BTreeSet::new();
-        for named in named.filter(|named| named.catalogue_function().is_none()) {
-            match named.on(tree) {
-                // A frame may be written in several ways.
-                Ok(request) if !known.insert(request.text()) => {}
-                Ok(request) => requests.push(request),
-                Err(more) => faults.extend(more),
-            }
-        }
-        if !faults.is_empty() {
-            return Err(faults);
-        }
+        let is_selected = |request: &Request| {
+            let part = request.catalogue_part();
+            part.is_some_and(|part| part.subject.is_none())
+        };
+        let named = self.functions.on(tree)?.into_iter();
+        requests.extend(named.filter(|request| !is_selected(request)));
         check_names(&requests).map_err(|fault| vec![fault])?;
         Ok(requests)
     }

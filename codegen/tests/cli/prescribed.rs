@@ -403,7 +403,7 @@ fn functions_for_several_modules_of_a_model_need_an_output() {
     let asked = ["generate", "models/arm.toml", "--functions", "mass_matrix"];
     let ran = project.kane(&asked);
     assert_eq!(ran.code, 2);
-    insta::assert_snapshot!(ran.err, @"error: `kane.toml` has `generated/bias.rs`, `generated/arm.rs` generated from this model, each with functions of its own; say with --output which one --functions is for");
+    insta::assert_snapshot!(ran.err, @"error: `kane.toml` generates `generated/bias.rs`, `generated/arm.rs` from this model; say with --output which of them --functions is for");
     assert_eq!(project.read("generated/bias.rs"), before);
     let ran = project.kane(&[&asked[..], &["--output", "generated/bias.rs"]].concat());
     assert_eq!(ran.code, 0, "{}", ran.err);

@@ -5,6 +5,7 @@ use std::{collections::BTreeSet, fs};
 use kane_codegen::{
     description::{Base, Reading},
     functions::Formulation,
+    recursive::Technique,
     report,
     tree::Tree,
 };
@@ -93,9 +94,7 @@ fn forces_are_the_transposed_jacobian_s() {
 #[test]
 fn inverse_inertias_are_blocks_of_the_whole() {
     each_frame(|what, tree, state, name| {
-        for rest in ["", ", local", ", stand, \"marker one\""] {
-            let n = rest.matches(", ").count() + 1;
-            let n = if rest == ", local" { 1 } else { n };
+        for (rest, n) in [("", 1), (", local", 1), (", stand, \"marker one\"", 3)] {
             let whole = format!("operational_inverse_inertia({name}{rest})");
             let whole = by(tree, state, &whole, Formulation::Notes);
             let linear = (0..6 * n).filter(|row| row % 6 < 3);
@@ -113,8 +112,12 @@ fn inverse_inertias_are_blocks_of_the_whole() {
 
 /// The operations of requests, each in the cheapest way.
 fn counts(tree: &Tree, texts: &[String]) -> Vec<usize> {
+    counts_without(tree, texts, &BTreeSet::new())
+}
+
+fn counts_without(tree: &Tree, texts: &[String], without: &BTreeSet<Technique>) -> Vec<usize> {
     let requests: Vec<_> = texts.iter().map(|text| request(tree, text)).collect();
-    let counts = report::count(tree, &requests, &BTreeSet::new()).into_iter();
+    let counts = report::count(tree, &requests, without).into_iter();
     let least = counts.map(|counts| {
         let counts = counts.formulations.iter();
         counts.map(|(_, operations)| operations.total()).min()
@@ -142,14 +145,35 @@ fn they_take_no_more_operations_than_the_whole() {
     }
 }
 
-#[test]
-fn the_page_of_functions_has_their_counts() {
-    let panda = read("tests/robots/panda/panda.urdf", &Reading::default());
+fn solo12() -> Tree {
     let free = Reading {
         base: Some(Base::Free),
         ..Reading::default()
     };
-    let solo12 = read("tests/robots/solo12/solo12.urdf", &free);
+    read("tests/robots/solo12/solo12.urdf", &free)
+}
+
+#[test]
+fn the_page_of_techniques_has_the_count_of_a_jacobian_by_steps() {
+    let jacobian = ["jacobian(FL_FOOT)".to_owned()];
+    let [with] = counts(&solo12(), &jacobian)[..] else {
+        unreachable!()
+    };
+    let others = BTreeSet::from([Technique::Inward, Technique::Levers]);
+    let [steps] = counts_without(&solo12(), &jacobian, &others)[..] else {
+        unreachable!()
+    };
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/performance.md");
+    let page = fs::read_to_string(page).unwrap();
+    let sentence =
+        format!("the Jacobian of solo12's foot takes {steps} operations instead of {with}.");
+    assert!(page.contains(&sentence), "{sentence}");
+}
+
+#[test]
+fn the_page_of_functions_has_their_counts() {
+    let panda = read("tests/robots/panda/panda.urdf", &Reading::default());
+    let solo12 = solo12();
     let of_hand = ["pose", "position"].map(|own| format!("{own}(panda_hand_tcp)"));
     let [pose, position] = counts(&panda, &of_hand)[..] else {
         unreachable!()

@@ -209,7 +209,7 @@ impl Selection {
             match &jobs[..] {
                 [] => return Err(unlisted(model, config)),
                 [_] => {}
-                // Each would be replaced by the same, under another name.
+                // Each would get the same functions, in place of its own.
                 several if asked.says_functions() => return Err(ambiguous(config, several)),
                 _ => {}
             }
@@ -250,7 +250,7 @@ fn own_name(model: &Path) -> PathBuf {
 fn ambiguous(config: &Path, jobs: &[Job]) -> Failures {
     let outputs: Vec<String> = jobs.iter().map(|job| format!("`{}`", job.target)).collect();
     Failures::message(format!(
-        "`{}` has {} generated from this model, each with functions of its own; say with --output which one --functions is for",
+        "`{}` generates {} from this model; say with --output which of them --functions is for",
         config.display(),
         outputs.join(", ")
     ))

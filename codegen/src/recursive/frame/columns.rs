@@ -5,8 +5,8 @@
 //! carries both, and outward from there. Components along the frame's own axes pass outward alone.
 
 use super::{
-    reach::{Reach, path},
-    way::Way,
+    between::Between,
+    reach::{Contributions, Reach, path},
 };
 use crate::{
     expr::{ExprGraph, Vector, negated},
@@ -27,8 +27,8 @@ pub(super) fn seen(
     links: &BodyMap<Link>,
     (frame, point): (NamedFrame, Option<Vector>),
     from: Option<NamedFrame>,
-) -> Vec<(Motion, FrameMotion)> {
-    let way = Way::new(tree, links, frame, from);
+) -> Contributions {
+    let way = Between::new(tree, links, frame, from);
     let mut carried = Carried {
         lever: Reach::of(graph, tree, links, frame).of_point(graph, point),
         columns: Columns::default(),
@@ -58,7 +58,7 @@ pub(super) fn local(
     tree: &Tree,
     links: &BodyMap<Link>,
     (frame, point): (NamedFrame, Option<Vector>),
-) -> Vec<(Motion, FrameMotion)> {
+) -> Contributions {
     let reach = Reach::of(graph, tree, links, frame);
     let path = path(tree, frame);
     let mut levers = Levers {
@@ -152,7 +152,7 @@ impl Columns {
         }
     }
 
-    fn take(self) -> Vec<(Motion, FrameMotion)> {
+    fn take(self) -> Contributions {
         let columns = self.all.into_iter();
         columns
             .map(|column| (column.motion, column.of_frame))

@@ -1,6 +1,6 @@
 //! Jacobians of frames, in the way that the plan says.
 
-use super::{columns, levers, own, steps};
+use super::{columns, levers, own, reach::Contributions, steps};
 use crate::{
     expr::{ExprGraph, Purpose, Vector},
     given::FrameMotion,
@@ -51,10 +51,7 @@ pub fn local_jacobian(
 }
 
 /// What a unit value of each motion's speed contributes.
-fn of_speeds(
-    graph: &mut ExprGraph,
-    columns: Vec<(Motion, FrameMotion)>,
-) -> Vec<(SpeedId, FrameMotion)> {
+fn of_speeds(graph: &mut ExprGraph, columns: Contributions) -> Vec<(SpeedId, FrameMotion)> {
     let columns = columns.into_iter();
     let columns = columns.map(|(Motion { speed, factor }, motion)| {
         let factor = graph.number(factor);

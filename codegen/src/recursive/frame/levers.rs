@@ -3,7 +3,10 @@
 //! The lever to the frame passes from the frame to who sees it; the axes, as who sees it has them, pass the other way. Where they
 //! meet at a motion, what it contributes is known: the lever has few entries near the frame, the axes near who sees it.
 
-use super::{reach::Reach, way::Way};
+use super::{
+    between::Between,
+    reach::{Contributions, Reach},
+};
 use crate::{
     expr::{ExprGraph, Matrix, Vector, negated, transpose},
     given::{FrameMotion, FramePose},
@@ -24,7 +27,7 @@ pub(super) fn pose(
     frame: NamedFrame,
     from: Option<NamedFrame>,
 ) -> FramePose {
-    let (way, reach) = Way::aligned(graph, tree, links, frame, from);
+    let (way, reach) = Between::aligned(graph, tree, links, frame, from);
     let lever = Lever::all_the_way(graph, &way, reach.position);
     let view = way.view(graph, from);
     let position = graph.sub_vectors(lever.position, view.position);
@@ -42,8 +45,8 @@ pub(super) fn jacobian(
     links: &BodyMap<Link>,
     (frame, point): (NamedFrame, Option<Vector>),
     from: Option<NamedFrame>,
-) -> Vec<(Motion, FrameMotion)> {
-    let way = Way::new(tree, links, frame, from);
+) -> Contributions {
+    let way = Between::new(tree, links, frame, from);
     let position = Reach::of(graph, tree, links, frame).of_point(graph, point);
     let lever = Lever::all_the_way(graph, &way, position);
     let view = way.view(graph, from);
@@ -69,7 +72,7 @@ struct Lever {
 
 impl Lever {
     /// From this position in the frame's link to who sees it.
-    fn all_the_way(graph: &mut ExprGraph, way: &Way<'_>, position: Vector) -> Self {
+    fn all_the_way(graph: &mut ExprGraph, way: &Between<'_>, position: Vector) -> Self {
         let mut lever = Self {
             position,
             goes_inward: true,
@@ -120,14 +123,14 @@ struct Axes {
     goes_inward: bool,
     /// The levers of the rest of the way.
     levers: Vec<Vector>,
-    columns: Vec<(Motion, FrameMotion)>,
+    columns: Contributions,
 }
 
 impl Axes {
     /// Back to the frame's link, where they meet these levers.
     fn all_the_way(
         graph: &mut ExprGraph,
-        way: &Way<'_>,
+        way: &Between<'_>,
         basis: Matrix,
         levers: Vec<Vector>,
     ) -> Self {

@@ -3,6 +3,7 @@
 //! In: a tree, a plan, a frame that has a name. Out: expressions equal to those of [`kane::frame`](crate::kane::frame), by walks
 //! of passengers: what is wanted as it is seen from somewhere is walked there, so that no rotation of a body is needed beside.
 
+mod between;
 mod columns;
 mod force;
 mod jacobian;
@@ -12,7 +13,6 @@ mod own;
 mod pose;
 mod reach;
 mod steps;
-mod way;
 
 pub use force::{generalized_force, local_generalized_force};
 pub use jacobian::{jacobian, local_jacobian};

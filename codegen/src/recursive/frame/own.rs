@@ -1,7 +1,7 @@
 //! Jacobians along a frame's own axes: links one after the other inward, as they are seen from the frame. Axes and the lever are known
 //! at each motion, so that nothing is left to add up.
 
-use super::reach::{Reach, path};
+use super::reach::{Contributions, Reach, path};
 use crate::{
     expr::{ExprGraph, Matrix, Vector},
     given::FrameMotion,
@@ -20,7 +20,7 @@ pub(super) fn jacobian(
     tree: &Tree,
     links: &BodyMap<Link>,
     (frame, point): (NamedFrame, Option<Vector>),
-) -> Vec<(Motion, FrameMotion)> {
+) -> Contributions {
     let Reach { axes, position } = Reach::of(graph, tree, links, frame);
     let to_origin = graph.mul_vector(&axes, position);
     let mut seen = Seen {
@@ -46,7 +46,7 @@ struct Seen {
     basis: Matrix,
     /// From the link's origin to the point, along the frame's axes.
     lever: Vector,
-    columns: Vec<(Motion, FrameMotion)>,
+    columns: Contributions,
 }
 
 impl Passenger for Seen {

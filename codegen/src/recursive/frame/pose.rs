@@ -1,6 +1,6 @@
 //! Where a frame is.
 
-use super::{levers, steps, way::Way};
+use super::{between::Between, levers, steps};
 use crate::{
     expr::{ExprGraph, Matrix, Purpose, Vector},
     given::FramePose,
@@ -43,7 +43,7 @@ fn inward(
     links: &BodyMap<Link>,
     frame: NamedFrame,
 ) -> FramePose {
-    let (way, reach) = Way::aligned(graph, tree, links, frame, None);
+    let (way, reach) = Between::aligned(graph, tree, links, frame, None);
     let mut carried = Carried {
         axes: reach.axes,
         n_last: 0,

@@ -2,10 +2,10 @@
 
 use crate::{
     expr::{ExprGraph, Matrix, Vector, transpose},
-    given::{frame_origin, frame_rotation},
+    given::{FrameMotion, frame_origin, frame_rotation},
     id::{BodyId, BodyMap},
     recursive::links::link::Link,
-    tree::{NamedFrame, Tree},
+    tree::{Motion, NamedFrame, Tree},
 };
 
 /// Where a frame stands in its link; of the inertial frame, there.
@@ -44,6 +44,9 @@ impl Reach {
         graph.add_vectors(self.position, step)
     }
 }
+
+/// What a unit of each motion's speed contributes to a frame's motion.
+pub(super) type Contributions = Vec<(Motion, FrameMotion)>;
 
 /// The bodies on the path of a frame, from the one that holds it inward.
 pub(super) fn path(tree: &Tree, frame: NamedFrame) -> Vec<BodyId> {

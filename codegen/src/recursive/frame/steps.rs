@@ -4,7 +4,7 @@
 //! common. What it keeps of a link are its axes, along those of the beginning: a rotation turns three vectors there. Every motion
 //! leaves its direction, every offset a step; from the end back, the steps add up to levers.
 
-use super::way::Way;
+use super::{between::Between, reach::Contributions};
 use crate::{
     expr::{ExprGraph, Matrix, Vector, negated, transpose},
     given::{FrameMotion, FramePose},
@@ -39,7 +39,7 @@ pub(super) fn jacobian(
     links: &BodyMap<Link>,
     of: (NamedFrame, Option<Vector>),
     from: Option<NamedFrame>,
-) -> Vec<(Motion, FrameMotion)> {
+) -> Contributions {
     let (walk, _) = walk(graph, tree, links, of, from);
     walk.levers(graph).1
 }
@@ -52,7 +52,7 @@ fn walk(
     (frame, point): (NamedFrame, Option<Vector>),
     from: Option<NamedFrame>,
 ) -> (Walk, Matrix) {
-    let (way, reach) = Way::aligned(graph, tree, links, frame, from);
+    let (way, reach) = Between::aligned(graph, tree, links, frame, from);
     let view = way.view(graph, from);
     let mut walk = Walk {
         basis: view.axes,
@@ -125,7 +125,7 @@ impl Walk {
     }
 
     /// The position of the end, and what each motion contributes there.
-    fn levers(&self, graph: &mut ExprGraph) -> (Vector, Vec<(Motion, FrameMotion)>) {
+    fn levers(&self, graph: &mut ExprGraph) -> (Vector, Contributions) {
         let mut position = graph.zero_vector();
         let mut columns = Vec::new();
         for mark in self.marks.iter().rev() {

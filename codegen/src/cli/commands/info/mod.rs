@@ -4,7 +4,7 @@ mod facts;
 mod text;
 mod value;
 
-use std::{collections::BTreeSet, io::Write, path::PathBuf};
+use std::{io::Write, path::PathBuf};
 
 use clap::Args;
 use kane_codegen::{
@@ -163,13 +163,6 @@ fn counts(tree: &Tree, options: &Options) -> Result<Vec<Counts>, Failures> {
     let functions = &options.functions;
     let of_set = CATALOGUE.iter().filter(|one| functions.set_has(one));
     let mut requests: Vec<Request> = of_set.map(Request::from).collect();
-    let mut failures = Failures::default();
-    let mut known = BTreeSet::new();
-    for named in functions.requests() {
-        let request = failures.keep(named.on(tree).map_err(Error::Requests));
-        // A frame may be written in several ways.
-        requests.extend(request.filter(|request| known.insert(request.text())));
-    }
-    failures.none()?;
+    requests.extend(functions.on(tree).map_err(Error::Requests)?);
     Ok(report::count(tree, &requests, &options.without))
 }

@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// The links between a frame and who sees it.
-pub(super) struct Way<'a> {
+pub(super) struct Between<'a> {
     tree: &'a Tree,
     links: &'a BodyMap<Link>,
     /// Those that carry the frame alone, from it inward.
@@ -25,7 +25,7 @@ pub(super) struct Way<'a> {
     last: Option<Passage>,
 }
 
-impl<'a> Way<'a> {
+impl<'a> Between<'a> {
     pub(super) fn new(
         tree: &'a Tree,
         links: &'a BodyMap<Link>,
