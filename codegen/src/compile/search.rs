@@ -317,10 +317,14 @@ impl Search<'_> {
             Technique::Regroup | Technique::Balance | Technique::SecondMoments => {
                 self.request.reads_inertias()
             }
+            Technique::Weights => self.request.is_at_rest(),
             Technique::Articulated => self.factors_have_a_chance(),
             Technique::LinkAxes | Technique::Fall => self.request.solves(),
             Technique::Carriers => self.request.inverts(),
-            Technique::Inward | Technique::Levers => self.request.passes_frames(),
+            Technique::Inward => self.request.passes_frames(),
+            Technique::Levers => {
+                self.request.passes_frames() || self.request.has_inertial_columns()
+            }
             Technique::DirectDerivatives | Technique::Reverse | Technique::Lockstep => false,
             Technique::Slide
             | Technique::Turn

@@ -190,6 +190,17 @@ impl Function {
             && arguments.all(|argument| matches!(argument, Argument::Q | Argument::Point))
     }
 
+    /// True where nothing moves: gravity may count alone of what acts on bodies.
+    pub(super) fn is_at_rest(&self) -> bool {
+        self.reads_inertias() && self.arguments.iter().all(|one| *one == Argument::Q)
+    }
+
+    /// True for vectors along inertial axes by speeds, of all bodies together.
+    pub(super) fn has_inertial_columns(&self) -> bool {
+        let mut outputs = self.outputs.iter();
+        self.of == Of::System && outputs.any(|output| output.shape == Shape::VECTOR_BY_SPEEDS)
+    }
+
     /// True where accelerations or the inverse of the mass matrix are solved for.
     pub(super) fn solves(&self) -> bool {
         match self.mass_matrix {

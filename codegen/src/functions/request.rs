@@ -63,6 +63,16 @@ impl Request {
         self.functions().any(Function::passes_frames)
     }
 
+    /// True where a plan may choose what stands for weight.
+    pub fn is_at_rest(&self) -> bool {
+        self.functions().any(Function::is_at_rest)
+    }
+
+    /// True where a plan may choose which links' columns go to inertial axes at once.
+    pub fn has_inertial_columns(&self) -> bool {
+        self.functions().any(Function::has_inertial_columns)
+    }
+
     /// True where a plan may choose how inertias are regrouped.
     pub fn reads_inertias(&self) -> bool {
         self.functions().any(Function::reads_inertias)

@@ -27,8 +27,11 @@ pub enum Technique {
     Shortcut,
     /// Where a frame is, and its Jacobian's columns, pass inward from it, and not outward from the inertial frame.
     Inward,
-    /// Where they do not, levers pass inward beside axes that pass outward, and are not added up from steps along these axes.
+    /// Where they do not, levers pass inward beside axes that pass outward, and are not added up from steps along these axes. The
+    /// inertial axes pass outward to two columns of all bodies' momentum, and not to three alone.
     Levers,
+    /// Where nothing but weight counts and gravity is constant along an axis, weights pass inward, and not masses.
+    Weights,
     /// Accelerations are solved for by articulated bodies.
     Articulated,
     /// Accelerations of joints that move freely about or along all axes are solved for along the link's axes.
@@ -52,7 +55,7 @@ pub enum Technique {
 
 impl Technique {
     /// All of them, with the names that they have in `kane.toml`.
-    pub const ALL: [(&str, Self); 17] = [
+    pub const ALL: [(&str, Self); 18] = [
         ("slide", Self::Slide),
         ("turn", Self::Turn),
         ("regroup", Self::Regroup),
@@ -62,6 +65,7 @@ impl Technique {
         ("shortcut", Self::Shortcut),
         ("inward", Self::Inward),
         ("levers", Self::Levers),
+        ("weights", Self::Weights),
         ("articulated", Self::Articulated),
         ("link_axes", Self::LinkAxes),
         ("carriers", Self::Carriers),

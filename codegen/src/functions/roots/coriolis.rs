@@ -73,7 +73,7 @@ pub(in crate::functions) fn bias_of_coriolis(
         .inputs(tree)
         .map(|own| graph.input(own))
         .collect();
-    let mut bias = gravity::gravity_forces(graph, tree, plan);
+    let mut bias = gravity::gravity_forces_of_masses(graph, tree, plan);
     graph.begin(Purpose::Forces);
     let bodies = tree.speed_bodies().into_iter();
     for ((sum, row), body) in bias.iter_mut().zip(c).zip(bodies) {

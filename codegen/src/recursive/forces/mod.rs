@@ -7,3 +7,4 @@ pub mod inverse_dynamics;
 pub mod joint_wrench;
 pub(super) mod loaded;
 pub mod product;
+pub(super) mod weight;

@@ -53,15 +53,6 @@ pub(super) fn jacobian(
     Axes::all_the_way(graph, &way, view.axes, lever.at_turns).columns
 }
 
-/// The side of a rotation on which motions meet levers: before it, where the axis of an angle is what it is after it, and the last
-/// link's rotation is not needed.
-fn met<T>(drive: Drive, before: T, after: T) -> T {
-    match drive {
-        Drive::AngularVelocity(_) => after,
-        Drive::Angle(..) | Drive::Nothing => before,
-    }
-}
-
 /// Where the frame is, from the origin that has been reached.
 struct Lever {
     position: Vector,
@@ -104,10 +95,10 @@ impl Passenger for Lever {
         let from = self.position;
         let at_turn = if self.goes_inward {
             self.position = rotation.backward(graph, from);
-            met(drive, self.position, from)
+            drive.met(self.position, from)
         } else {
             self.position = rotation.forward(graph, from);
-            met(drive, from, self.position)
+            drive.met(from, self.position)
         };
         self.at_turns.push(at_turn);
     }
@@ -166,10 +157,10 @@ impl Passenger for Axes {
         let from = self.basis;
         let basis = if self.goes_inward {
             self.basis = from.map(|row| rotation.backward(graph, row));
-            met(drive, self.basis, from)
+            drive.met(self.basis, from)
         } else {
             self.basis = from.map(|row| rotation.forward(graph, row));
-            met(drive, from, self.basis)
+            drive.met(from, self.basis)
         };
         let lever = self.levers.pop();
         let lever = lever.expect("frames: axes turn wherever the lever has turned");

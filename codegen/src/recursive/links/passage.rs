@@ -64,6 +64,15 @@ impl Drive {
         }
     }
 
+    /// Of what stands before and after the rotation, the side on which it meets what passes the other way: before it, where the axis of
+    /// an angle is what it is after it, and what comes from outside has turned back anyway.
+    pub(in crate::recursive) fn met<T>(self, before: T, after: T) -> T {
+        match self {
+            Self::AngularVelocity(_) => after,
+            Self::Angle(..) | Self::Nothing => before,
+        }
+    }
+
     /// The angular velocity that it adds, along the axes after the rotation.
     pub(in crate::recursive) fn speeds(self, graph: &mut ExprGraph) -> Vector {
         speeds(graph, self.motions())

@@ -6,7 +6,7 @@ use crate::{
     given::{self, mechanics},
     id::{BodyId, BodyMap},
     recursive::{
-        forces::gravity::Weight,
+        forces::weight::{Field, Weight},
         links::{
             link::{self, Link},
             link_velocity,
@@ -49,6 +49,7 @@ pub fn kinetic_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyM
 /// `-m_K g · p_G_K` less what is lifted of it, zero at the inertial origin, and that of the springs of its joint, J, of each body.
 pub fn potential_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<Expr> {
     let links = link::links(graph, tree, &whole(plan));
+    let field = Field::of_masses(graph, tree);
     graph.begin(Purpose::Energy);
     let gravity = given::acting_gravity(graph, tree);
     let depths = BodyMap::outward(tree.bodies.len(), |body, depths: &BodyMap<Depth>| {
@@ -64,7 +65,7 @@ pub fn potential_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Bod
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let Depth { of_origin, gravity } = depths[body];
-        let weight = Weight::left(graph, tree, &links[body], body);
+        let weight = Weight::left(graph, tree, &field, &links[body], body);
         let at_origin = graph.mul(weight.mass, of_origin);
         let from_there = graph.dot(gravity, weight.moment);
         let of_weight = -graph.add(at_origin, from_there);

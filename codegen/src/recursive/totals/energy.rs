@@ -2,11 +2,11 @@
 
 use crate::{
     expr::{Axis, Expr, ExprGraph, Purpose, Symmetric, Vector},
-    given::{self, mechanics},
+    given::mechanics,
     id::BodyMap,
     kane,
     recursive::{
-        forces::gravity::Weight,
+        forces::weight::{Field, Weight},
         links::{
             inertia::Composite,
             link,
@@ -48,9 +48,10 @@ pub fn potential(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Expr {
 pub fn of_weights(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Expr {
     // Below links on the inertial frame is none that could have their weight.
     let links = link::links(graph, tree, &root::kept_whole(tree, plan));
+    let field = Field::new(graph, tree, plan);
     graph.begin(Purpose::Weight);
     let weights = BodyMap::outward(tree.bodies.len(), |body, _| {
-        Weight::left(graph, tree, &links[body], body)
+        Weight::left(graph, tree, &field, &links[body], body)
     });
     let name = |weight: &Weight, graph: &mut ExprGraph| {
         graph.name_vector(weight.moment, "composite");
@@ -72,8 +73,7 @@ pub fn of_weights(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Expr {
     );
     graph.begin(Purpose::Energy);
     graph.enter(None);
-    let gravity = given::acting_gravity(graph, tree);
-    -graph.dot(gravity, moment)
+    graph.dot(field.upward, moment)
 }
 
 /// `m v · v + 2 h · (v × w) + w · I w`, about a point with velocity `v`.

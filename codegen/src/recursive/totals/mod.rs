@@ -7,3 +7,4 @@ pub mod center;
 pub mod energy;
 pub mod momentum;
 pub mod momentum_matrix;
+mod stands;

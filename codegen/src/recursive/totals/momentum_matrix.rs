@@ -1,9 +1,12 @@
 //! Momentum of all bodies about their mass centre, speed by speed: that of composite bodies, carried inward as a mass matrix's
 //! columns are, or taken to inertial axes at once from links that carry many.
 
-use super::center;
+use super::{
+    center,
+    stands::{Stand, Stands},
+};
 use crate::{
-    expr::{ExprGraph, Matrix, Purpose, Vector, transpose},
+    expr::{ExprGraph, Purpose, Vector},
     given,
     id::{BodyId, BodyMap},
     kane::center::Momentum,
@@ -16,87 +19,53 @@ use crate::{
             rotation::Turn,
         },
         matrices::column::Column,
-        plan::{Plan, Technique},
+        plan::Plan,
     },
     tree::{Motion, Tree},
 };
-
-/// From how many columns on it pays to know how a link stands in the inertial frame: each would be rotated by its joint for 6
-/// operations a vector, and by the matrix costs no more than by the lower link's, which itself takes 18.
-const MANY: usize = 3;
 
 /// The columns of the momentum matrix about the mass centre, inertial components, one a speed.
 pub fn momentum_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Momentum> {
     let plan = root::kept_whole(tree, plan);
     let linkage = Linkage::of_speeds(graph, tree, &plan);
-    let inertias = BodyMap::outward(tree.bodies.len(), |body, _| linkage.links[body].inertia);
-    let arrived = arrived(graph, &linkage, inertias);
     let center = center::from_first(graph, tree, &linkage.links);
-    let zero = Momentum::zero(graph);
-    let mut columns = vec![zero; tree.n_speeds];
-    for Arrived { column, about } in arrived {
-        let mut column = column;
-        if let About::Link(link, origin) = about {
-            graph.enter(None);
-            let from_center = graph.sub_vectors(origin, center);
-            let name = format!("{}_from_center", tree.body(link).identifier);
-            graph.name_vector(from_center, &name);
-            column.shift(graph, from_center);
-        }
-        graph.enter(column.body());
-        add(graph, &mut columns, &column);
-    }
-    columns
+    let axes = graph.identity();
+    let stands = Stands::new(graph, &linkage, (axes, center));
+    summed(graph, &linkage, &stands)
 }
 
 /// The partial velocities of the mass centre, inertial components, one a speed; zero where no body has mass.
 pub fn center_jacobian(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Vector> {
     let plan = root::kept_whole(tree, plan);
     let linkage = Linkage::of_speeds(graph, tree, &plan);
-    let inertias = BodyMap::outward(tree.bodies.len(), |body, _| linkage.links[body].inertia);
+    let axes = graph.identity();
+    let by_mass = axes.map(|axis| given::over_total_mass(graph, tree, axis));
+    let nowhere = graph.zero_vector();
+    let stands = Stands::new(graph, &linkage, (by_mass, nowhere));
+    let columns = summed(graph, &linkage, &stands).into_iter();
+    columns.map(|column| column.linear).collect()
+}
+
+/// The momentum of composite bodies for a unit of each motion, along inertial axes and about the point of the stands, added up
+/// speed by speed.
+fn summed(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec<Momentum> {
     let zero = Momentum::zero(graph);
-    let mut columns = vec![zero; tree.n_speeds];
-    for Arrived { column, .. } in arrived(graph, &linkage, inertias) {
+    let mut sums = vec![zero; linkage.tree.n_speeds];
+    for column in arrived(graph, linkage, stands) {
         graph.enter(column.body());
-        add(graph, &mut columns, &column);
+        let Motion { speed, factor } = column.motion;
+        let factor = graph.number(factor);
+        let [linear, angular] = column.parts().map(|part| graph.scale(factor, part));
+        let sum = &mut sums[speed.index()];
+        *sum = sum.plus(graph, &Momentum { linear, angular });
     }
-    let columns = columns.into_iter();
-    columns
-        .map(|column| given::over_total_mass(graph, tree, column.linear))
-        .collect()
+    sums
 }
 
-fn add(graph: &mut ExprGraph, columns: &mut [Momentum], column: &Column) {
-    let Motion { speed, factor } = column.motion;
-    let factor = graph.number(factor);
-    let [linear, angular] = column.parts().map(|part| graph.scale(factor, part));
-    let sum = &mut columns[speed.index()];
-    *sum = sum.plus(graph, &Momentum { linear, angular });
-}
-
-/// A column in inertial axes.
-struct Arrived {
-    column: Column,
-    about: About,
-}
-
-/// What the angular part of a column is about.
-#[derive(Clone, Copy)]
-enum About {
-    /// The origin of a link, and where that is from the origin of the first link on the inertial frame, inertial components.
-    Link(BodyId, Vector),
-    /// The mass centre: the whole system moves along an axis, and has no angular momentum.
-    Center,
-}
-
-/// The momentum of composite bodies for a unit of each motion, in inertial axes, about some link's origin.
-fn arrived(
-    graph: &mut ExprGraph,
-    linkage: &Linkage<'_>,
-    mut composites: BodyMap<Composite>,
-) -> Vec<Arrived> {
+/// The same motion by motion.
+fn arrived(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec<Column> {
     let Linkage { tree, passages, .. } = linkage;
-    let stands = stands(graph, linkage);
+    let mut composites = BodyMap::outward(tree.bodies.len(), |body, _| linkage.links[body].inertia);
     let roots = tree.body_ids().filter(|body| tree.lower(*body).is_none());
     let n_roots = roots.count();
     graph.begin(Purpose::Momentum);
@@ -107,113 +76,29 @@ fn arrived(
         let composite = composites[body];
         inertia::name(graph, &composite.inertia, "composite");
         graph.name_vector(composite.moment, "composite");
+        let lower = tree.lower(body);
         let mut carried = Carried {
             tree,
             body,
             composite,
             columns: std::mem::take(&mut columns[body]),
             through_center: Vec::new(),
-            is_alone: tree.lower(body).is_none() && n_roots == 1,
+            is_alone: lower.is_none() && n_roots == 1,
+            stand: lower.and_then(|lower| stands.links[lower]),
         };
         passages[body].inward(graph, &mut carried);
-        let Carried {
-            composite,
-            columns: own,
-            through_center,
-            ..
-        } = carried;
-        let Some(lower) = tree.lower(body) else {
-            let about = About::Link(body, root::from_first(graph, tree, &linkage.links, body));
-            let through = through_center
-                .into_iter()
-                .map(|column| (column, About::Center));
-            let all = own.into_iter().map(|column| (column, about)).chain(through);
-            arrived.extend(all.map(|(column, about)| Arrived { column, about }));
-            continue;
-        };
-        graph.enter(lower);
-        composites[lower] = composites[lower].plus(graph, &composite);
-        match &stands[lower] {
-            None => columns[lower].extend(own),
-            Some(stand) => {
-                let taken = own
-                    .into_iter()
-                    .map(|column| stand.take(graph, lower, column));
-                arrived.extend(taken);
-            }
+        if lower.is_none() {
+            let (stand, nowhere) = (stands.at_root(graph, linkage, body), graph.zero_vector());
+            carried.leave(graph, &stand, nowhere);
+        }
+        arrived.extend(carried.through_center);
+        if let Some(lower) = lower {
+            graph.enter(lower);
+            composites[lower] = composites[lower].plus(graph, &carried.composite);
+            columns[lower].extend(carried.columns);
         }
     }
     arrived
-}
-
-/// How a link stands in the inertial frame.
-#[derive(Clone, Copy, Debug)]
-struct Stand {
-    /// Inertial components to the link's.
-    rotation: Matrix,
-    /// Of its origin, from that of the first link on the inertial frame, inertial components.
-    origin: Vector,
-}
-
-impl Stand {
-    fn take(&self, graph: &mut ExprGraph, link: BodyId, mut column: Column) -> Arrived {
-        column.turn(graph, &self.rotation);
-        Arrived {
-            column,
-            about: About::Link(link, self.origin),
-        }
-    }
-}
-
-/// The same of links that carry many columns, where the plan has them go to inertial axes at once.
-fn stands(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> BodyMap<Option<Stand>> {
-    let Linkage {
-        tree, links, plan, ..
-    } = linkage;
-    graph.begin(Purpose::Outward);
-    let mut carried = BodyMap::outward(tree.bodies.len(), |_, _| 0);
-    for body in tree.body_ids().rev() {
-        if let Some(lower) = tree.lower(body) {
-            let own = tree
-                .body(body)
-                .joint
-                .motions()
-                .into_iter()
-                .flatten()
-                .count();
-            carried[lower] += own + carried[body];
-        }
-    }
-    BodyMap::outward(
-        tree.bodies.len(),
-        |body, stands: &BodyMap<Option<Stand>>| {
-            if !plan.uses(Technique::Shortcut) || carried[body] < MANY {
-                return None;
-            }
-            let passage = &links[body].passage;
-            let (below, origin) = match tree.lower(body) {
-                Some(lower) => {
-                    let stand: Stand =
-                        stands[lower].expect("momentum matrix: a lower link carries more");
-                    graph.enter(body);
-                    let back = transpose(&stand.rotation);
-                    let offset = graph.mul_vector(&back, passage.offset);
-                    (back, graph.add_vectors(stand.origin, offset))
-                }
-                None => (graph.identity(), root::from_first(graph, tree, links, body)),
-            };
-            graph.enter(body);
-            // An inertial axis in link components is a column of the rotation.
-            let axes = below.map(|axis| {
-                let axis = passage.constant.forward(graph, axis);
-                passage.forward_from_joint(graph, axis)
-            });
-            let rotation = transpose(&axes);
-            graph.name_matrix(&rotation, "rot");
-            graph.name_vector(origin, "p_o");
-            Some(Stand { rotation, origin })
-        },
-    )
 }
 
 /// A composite body and the columns of what it carries, on their way inward through a joint, where its own begin.
@@ -226,6 +111,8 @@ struct Carried<'a> {
     through_center: Vec<Column>,
     /// True for the only link on the inertial frame: all bodies move with it.
     is_alone: bool,
+    /// How the lower link stands, where columns leave it for inertial axes.
+    stand: Option<Stand>,
 }
 
 impl Carried<'_> {
@@ -239,13 +126,29 @@ impl Carried<'_> {
         let name = self.tree.body(self.body).joint.motion_names()[place];
         Column::new(graph, self.body, motion, name, momentum)
     }
+
+    /// Sends all columns to inertial axes, from an origin that lies at `offset` from that of the stand.
+    fn leave(&mut self, graph: &mut ExprGraph, stand: &Stand, offset: Vector) {
+        for column in &mut self.columns {
+            stand.shift(graph, column, offset);
+        }
+        self.through_center.append(&mut self.columns);
+        for column in &mut self.through_center {
+            stand.turn(graph, column);
+        }
+    }
 }
 
 impl Passenger for Carried<'_> {
     fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
-        for column in &mut self.columns {
-            column.shift(graph, offset);
-            column.name(graph, self.tree, lower);
+        match self.stand {
+            Some(stand) => self.leave(graph, &stand, offset),
+            None => {
+                for column in &mut self.columns {
+                    column.shift(graph, offset);
+                    column.name(graph, self.tree, lower);
+                }
+            }
         }
         graph.enter(self.body);
         self.composite = self.composite.moved(graph, offset);

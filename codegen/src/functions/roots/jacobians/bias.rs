@@ -21,7 +21,7 @@ pub(super) fn bias_of(
     loads: Loads,
     by_u: &SpeedMatrix,
 ) -> Vec<Expr> {
-    let mut bias = gravity::gravity_forces(graph, tree, plan);
+    let mut bias = gravity::gravity_forces_of_masses(graph, tree, plan);
     if loads == Loads::Given {
         let given = inverse_dynamics::generalized_forces(graph, tree, plan);
         solve::subtract(graph, tree, &mut bias, &given);

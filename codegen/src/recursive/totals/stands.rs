@@ -1,0 +1,139 @@
+//! How links stand in the inertial frame, for what goes there at once.
+
+use crate::{
+    expr::{ExprGraph, Matrix, Purpose, Vector, transpose},
+    id::{BodyId, BodyMap},
+    recursive::{
+        links::{
+            linkage::Linkage,
+            passage::{Drive, Passenger},
+            root,
+            rotation::Turn,
+        },
+        matrices::column::Column,
+        plan::{Plan, Technique},
+    },
+    tree::Motion,
+};
+
+/// From how many columns on the plan has a link stand in the inertial frame; `None` where it has none. A column would be rotated by the
+/// link's joint for 6 operations a vector, and by the matrix costs no more than by the lower link's, which itself takes 18; for two
+/// sparse ones less of it is needed.
+fn many(plan: &Plan) -> Option<usize> {
+    let many = if plan.uses(Technique::Levers) { 2 } else { 3 };
+    plan.uses(Technique::Shortcut).then_some(many)
+}
+
+/// How axes stand in the inertial frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stand {
+    /// Inertial components to those along the axes.
+    rotation: Matrix,
+    /// The point that momenta are to be about, from the origin that has been reached.
+    point: Vector,
+}
+
+impl Stand {
+    /// Moves a column to the point, from an origin that lies at `offset`.
+    pub(super) fn shift(&self, graph: &mut ExprGraph, column: &mut Column, offset: Vector) {
+        let from_point = graph.sub_vectors(offset, self.point);
+        column.shift(graph, from_point);
+    }
+
+    /// Turns a column to inertial axes.
+    pub(super) fn turn(&self, graph: &mut ExprGraph, column: &mut Column) {
+        column.turn(graph, &self.rotation);
+    }
+}
+
+impl Passenger for Stand {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        self.point = graph.sub_vectors(self.point, offset);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, _: Drive) {
+        // An inertial axis along the link's is a column of the rotation.
+        let axes = transpose(&self.rotation);
+        self.rotation = transpose(&axes.map(|axis| rotation.forward(graph, axis)));
+        self.point = rotation.forward(graph, self.point);
+    }
+
+    fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {}
+}
+
+/// The inertial frame itself, and links that carry many columns, where the plan has these go to inertial axes at once.
+pub(super) struct Stands {
+    pub(super) links: BodyMap<Option<Stand>>,
+    /// About the origin of each link on the inertial frame.
+    inertial: Stand,
+}
+
+impl Stands {
+    /// For momenta about a point, which is given from the origin of the first link on the inertial frame, times a factor.
+    pub(super) fn new(
+        graph: &mut ExprGraph,
+        linkage: &Linkage<'_>,
+        inertial: (Matrix, Vector),
+    ) -> Self {
+        let Linkage {
+            tree, links, plan, ..
+        } = linkage;
+        let (rotation, point) = inertial;
+        let inertial = Stand { rotation, point };
+        graph.begin(Purpose::Outward);
+        let (many, carried) = (many(plan), carried(linkage));
+        let links = BodyMap::outward(
+            tree.bodies.len(),
+            |body, stands: &BodyMap<Option<Stand>>| {
+                if many.is_none_or(|many| carried[body] < many) {
+                    return None;
+                }
+                let mut stand = match tree.lower(body) {
+                    Some(lower) => stands[lower].expect("stands: a lower link carries more"),
+                    None => inertial.at_root(graph, linkage, body),
+                };
+                graph.enter(body);
+                links[body].passage.outward(graph, &mut stand);
+                graph.name_matrix(&stand.rotation, "rot");
+                graph.name_vector(stand.point, "to_center");
+                Some(stand)
+            },
+        );
+        Self { links, inertial }
+    }
+
+    /// The inertial frame, where a link on it has its origin.
+    pub(super) fn at_root(
+        &self,
+        graph: &mut ExprGraph,
+        linkage: &Linkage<'_>,
+        body: BodyId,
+    ) -> Stand {
+        self.inertial.at_root(graph, linkage, body)
+    }
+}
+
+impl Stand {
+    fn at_root(self, graph: &mut ExprGraph, linkage: &Linkage<'_>, body: BodyId) -> Self {
+        let origin = root::from_first(graph, linkage.tree, &linkage.links, body);
+        graph.enter(None);
+        Self {
+            point: graph.sub_vectors(self.point, origin),
+            ..self
+        }
+    }
+}
+
+/// How many columns each link carries, beside its own.
+fn carried(linkage: &Linkage<'_>) -> BodyMap<usize> {
+    let tree = linkage.tree;
+    let mut carried = BodyMap::outward(tree.bodies.len(), |_, _| 0);
+    for body in tree.body_ids().rev() {
+        if let Some(lower) = tree.lower(body) {
+            let motions = tree.body(body).joint.motions();
+            let own = motions.into_iter().flatten().count();
+            carried[lower] += own + carried[body];
+        }
+    }
+    carried
+}
