@@ -104,7 +104,12 @@ impl Weight {
     }
 
     /// What is lifted of a body, about its link's origin; `None` where nothing is.
-    pub(super) fn lifted(graph: &mut ExprGraph, tree: &Tree, link: &Link, body: BodyId) -> Option<Self> {
+    pub(super) fn lifted(
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        link: &Link,
+        body: BodyId,
+    ) -> Option<Self> {
         graph.enter(body);
         let Lifted { mass, moment } = given::lifted(graph, tree.body(body))?;
         let zero = graph.zero_vector();

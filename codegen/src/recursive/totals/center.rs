@@ -79,23 +79,25 @@ pub fn momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) ->
 
 /// Its acceleration for `y_dot = 0`, inertial components; zero where no body has mass.
 pub fn jacobian_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
-    let rates = momentum_matrix_dot_u(graph, tree, plan);
-    given::over_total_mass(graph, tree, rates.linear)
+    let links = link::links(graph, tree, plan);
+    let bend = whole(graph, tree, &links, true).bend;
+    let bend = bend.unwrap_or_else(|| graph.zero_vector());
+    given::over_total_mass(graph, tree, bend)
 }
 
 /// The rate of the first moment of all bodies, which is their linear momentum: inertial components.
 pub(super) fn moment_rate(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> Vector {
-    whole(graph, tree, links).rate
+    whole(graph, tree, links, false).rate
 }
 
 /// From the origin of the first link on the inertial frame to the mass centre, inertial components; zero where no body has
 /// mass.
 pub(super) fn from_first(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> Vector {
-    let moment = whole(graph, tree, links).moment;
+    let moment = whole(graph, tree, links, false).moment;
     given::over_total_mass(graph, tree, moment)
 }
 
-/// Mass with first moment and its rate, about the origin and in the axes that have been reached.
+/// Mass with first moment and its rates, about the origin and in the axes that have been reached.
 #[derive(Clone, Copy, Debug)]
 struct MovingMass {
     mass: Expr,
@@ -103,21 +105,27 @@ struct MovingMass {
     moment: Vector,
     /// How that changes as it is seen from there.
     rate: Vector,
+    /// How the rate changes as it is seen from there, for `y_dot = 0`; `None` where nobody asks.
+    bend: Option<Vector>,
 }
 
 /// All of it, about the origin of the first link on the inertial frame, inertial components.
-fn whole(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> MovingMass {
+fn whole(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>, bends: bool) -> MovingMass {
     graph.begin(Purpose::Momentum);
     let masses = BodyMap::outward(tree.bodies.len(), |body, _| MovingMass {
         mass: links[body].inertia.mass,
         moment: links[body].inertia.moment,
         rate: graph.zero_vector(),
+        bend: bends.then(|| graph.zero_vector()),
     });
     let name = |mass: &MovingMass, graph: &mut ExprGraph| {
         graph.name_vector(mass.moment, "composite");
         graph.name_vector(mass.rate, "composite_dot");
+        if let Some(bend) = mass.bend {
+            graph.name_vector(bend, "composite_bend");
+        }
     };
-    let mut all = MovingMass::none(graph);
+    let mut all = MovingMass::none(graph, bends);
     let passage = |body| &links[body].passage;
     totalled(
         graph,
@@ -136,11 +144,12 @@ fn whole(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> MovingMas
 }
 
 impl MovingMass {
-    fn none(graph: &mut ExprGraph) -> Self {
+    fn none(graph: &mut ExprGraph, bends: bool) -> Self {
         Self {
             mass: graph.zero(),
             moment: graph.zero_vector(),
             rate: graph.zero_vector(),
+            bend: bends.then(|| graph.zero_vector()),
         }
     }
 }
@@ -151,12 +160,19 @@ impl Addend for MovingMass {
             mass: graph.add(self.mass, other.mass),
             moment: graph.add_vectors(self.moment, other.moment),
             rate: graph.add_vectors(self.rate, other.rate),
+            bend: self
+                .bend
+                .zip(other.bend)
+                .map(|(own, other)| graph.add_vectors(own, other)),
         }
     }
 
     /// The lower link's own rate is zero: what arrives first would else bear its name.
     fn name_below(&self, graph: &mut ExprGraph) {
         graph.name_vector(self.rate, "composite_dot_below");
+        if let Some(bend) = self.bend {
+            graph.name_vector(bend, "composite_bend_below");
+        }
     }
 }
 
@@ -168,8 +184,15 @@ impl Passenger for MovingMass {
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         let rates = speeds(graph, drive.motions());
-        let swept = graph.cross(rates, self.moment);
-        self.rate = graph.add_vectors(self.rate, swept);
+        let (before, swept) = (self.rate, graph.cross(rates, self.moment));
+        self.rate = graph.add_vectors(before, swept);
+        // `w × (2 h_dot + w × h)`.
+        let both = graph.add_vectors(before, self.rate);
+        self.bend = self.bend.map(|bend| {
+            let convected = graph.cross(rates, both);
+            let bend = graph.add_vectors(bend, convected);
+            rotation.backward(graph, bend)
+        });
         self.moment = rotation.backward(graph, self.moment);
         self.rate = rotation.backward(graph, self.rate);
     }
