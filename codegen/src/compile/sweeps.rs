@@ -13,14 +13,17 @@ use crate::{
 
 use super::{
     pipeline::finished,
-    planned::{MOST_NODES, Planned, cost_of},
+    planned::{MOST_NODES, Planned, cost_of, operations},
 };
 
 /// How many times as much as the other a sweep may build beyond [`MOST_NODES`]: what entries have in common never makes up for more.
 const MOST_TIMES: usize = 8;
 
-/// How many times as much as the cheapest a way may cost before its sums are factored, which hardly ever halves a count.
+/// How many times as much as the cheapest a way may cost before its sums are factored, which hardly ever halves a long count.
 const MOST_FACTORED: usize = 2;
+
+/// Up to this count a way is compared as it is in the end: of few operations most may go.
+const SHORT: usize = 200;
 
 /// The plan by each way that has a chance to be the cheaper one, forward first.
 pub(super) fn ways(
@@ -64,7 +67,8 @@ pub(super) fn fewest(
     // The last is the most promising.
     for arrangement in arrangements.into_iter().rev() {
         let derived = request.derive_arranged(tree, &arrangement);
-        if cost_of(request, &derived) > least.saturating_mul(MOST_FACTORED) {
+        // Sines are not given yet, and cost nothing here.
+        if operations(&derived).total() > SHORT.max(least.saturating_mul(MOST_FACTORED)) {
             continue;
         }
         let derived = finished(tree, request, &arrangement, derived);

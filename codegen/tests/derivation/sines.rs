@@ -24,7 +24,7 @@ use kane_test_support::compare::{Tolerance, assert_close};
 
 use crate::compiled::{built, compiled, read};
 
-const FUNCTIONS: [&str; 8] = [
+const FUNCTIONS: [&str; 10] = [
     "rotation",
     "mass_matrix",
     "bias",
@@ -33,6 +33,8 @@ const FUNCTIONS: [&str; 8] = [
     "gravity_forces",
     "mass_matrix+bias",
     "partial_velocity_dot",
+    "d(rotation)/d(q)",
+    "d(linear_momentum)/d(q)",
 ];
 
 /// A hinge, one that follows it the other way round with an offset, one that follows it twice as fast.
@@ -122,7 +124,10 @@ fn values_have_the_bits_of_the_function_that_computes_its_sines() {
                 assert_eq!(values, expected, "{} {function}", tree.name);
             } else {
                 assert!(given.total() > plain.total() - plain.trig, "{function}");
-                let at = format!("{} {function}", tree.name);
+                // Where axes are parallel, sines of sums were computed.
+                let most = plain.total() + plain.total() / 4;
+                let at = format!("{} {function}: {plain:?}, {given:?}", tree.name);
+                assert!(given.total() <= most, "{at}");
                 assert_close(at, values, expected, Tolerance::relative(1e-12));
             }
         }

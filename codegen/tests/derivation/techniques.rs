@@ -228,11 +228,12 @@ fn every_technique_has_its_gain() {
     insta::assert_snapshot!(text);
 }
 
-/// The techniques but those that concern frames, derivatives or the inverse of the mass matrix alone.
+/// The techniques but those that concern frames, weights, derivatives or the inverse of the mass matrix alone.
 fn of_dynamics() -> impl Iterator<Item = (&'static str, Technique)> {
     let others = [
         Technique::Inward,
         Technique::Levers,
+        Technique::Weights,
         Technique::DirectDerivatives,
         Technique::Reverse,
         Technique::Carriers,

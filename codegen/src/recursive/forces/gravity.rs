@@ -26,8 +26,33 @@ use crate::{
 struct Upward {
     /// In the axes that have been reached; in the end those of the link.
     a: Vector,
-    /// The same wherever motions meet it, in the order of the way.
-    at_motions: Vec<Vector>,
+    /// True where no joint has turned it yet: no moment is needed before the first that does.
+    is_inertial: bool,
+    /// Where motions meet it, in the order of the way.
+    meetings: Vec<Meeting>,
+}
+
+/// The upward acceleration where a weight meets it.
+#[derive(Clone, Copy, Debug)]
+struct Meeting {
+    a: Vector,
+    /// The side of the rotation, outward.
+    side: Side,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Side {
+    Before,
+    After,
+}
+
+impl Side {
+    fn of<T>(self, before: T, after: T) -> T {
+        match self {
+            Self::Before => before,
+            Self::After => after,
+        }
+    }
 }
 
 /// The `tau` that holds the system at rest against weight: `-sum_K V_G_K^T m_K g`, less what lifts.
@@ -89,11 +114,12 @@ fn upward(
     links: &BodyMap<Link>,
 ) -> BodyMap<Upward> {
     BodyMap::outward(tree.bodies.len(), |body, upward: &BodyMap<Upward>| {
-        let below = tree.lower(body).map(|lower| upward[lower].a);
+        let below = tree.lower(body).map(|lower| &upward[lower]);
         graph.enter(body);
         let mut passing = Upward {
-            a: below.unwrap_or(field.upward),
-            at_motions: Vec::new(),
+            a: below.map_or(field.upward, |below| below.a),
+            is_inertial: below.is_none_or(|below| below.is_inertial),
+            meetings: Vec::new(),
         };
         links[body].passage.outward(graph, &mut passing);
         graph.name_vector(passing.a, "a");
@@ -117,7 +143,7 @@ fn holding(
         graph.name_vector(weight.moment, "composite");
         let mut hanging = Hanging {
             weight,
-            upward: &upward[body].at_motions,
+            upward: &upward[body].meetings,
             tau: &mut tau,
         };
         links[body].passage.inward(graph, &mut hanging);
@@ -136,11 +162,18 @@ impl Passenger for Upward {
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         let before = self.a;
         self.a = rotation.forward(graph, before);
-        self.at_motions.push(drive.met(before, self.a));
+        let side = match drive {
+            Drive::Angle(..) if self.is_inertial => Side::After,
+            _ => drive.met(Side::Before, Side::After),
+        };
+        let a = side.of(before, self.a);
+        self.is_inertial &= matches!(drive, Drive::Nothing);
+        self.meetings.push(Meeting { a, side });
     }
 
     fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {
-        self.at_motions.push(self.a);
+        let (a, side) = (self.a, Side::After);
+        self.meetings.push(Meeting { a, side });
     }
 }
 
@@ -148,19 +181,19 @@ impl Passenger for Upward {
 struct Hanging<'a> {
     weight: Weight,
     /// The upward acceleration wherever motions of the rest of the way meet it.
-    upward: &'a [Vector],
+    upward: &'a [Meeting],
     tau: &'a mut [Expr],
 }
 
 impl Hanging<'_> {
     /// The upward acceleration where the next motions meet it.
-    fn next(&mut self) -> Vector {
-        let (a, rest) = self
+    fn next(&mut self) -> Meeting {
+        let (meeting, rest) = self
             .upward
             .split_last()
             .expect("gravity: the way inward is the way outward");
         self.upward = rest;
-        *a
+        *meeting
     }
 }
 
@@ -170,10 +203,10 @@ impl Passenger for Hanging<'_> {
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        let a = self.next();
+        let Meeting { a, side } = self.next();
         let after = self.weight;
         self.weight.turn(graph, rotation, drive);
-        let weight = drive.met(self.weight, after);
+        let weight = side.of(self.weight, after);
         for (axis, motion) in Axis::ALL.into_iter().zip(drive.motions()) {
             if motion.is_some() {
                 let along = weight.moment_about(graph, axis, a);
@@ -183,7 +216,7 @@ impl Passenger for Hanging<'_> {
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let a = self.next();
+        let Meeting { a, .. } = self.next();
         for (motion, a) in motions.into_iter().zip(a) {
             if motion.is_some() {
                 let along = graph.mul(self.weight.mass, a);

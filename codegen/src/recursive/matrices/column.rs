@@ -64,6 +64,16 @@ impl Column {
         self.momentum.turn(graph, rotation);
     }
 
+    /// The same by a rotation times what belongs to all bodies: so do the products.
+    pub(in crate::recursive) fn turn_with_all(
+        &mut self,
+        graph: &mut ExprGraph,
+        rotation: &dyn Turn,
+    ) {
+        graph.enter(None);
+        self.momentum.turn(graph, rotation);
+    }
+
     /// To the link that comes next, from whose origin the last one lies at `offset`.
     pub(in crate::recursive) fn reach(
         &mut self,

@@ -3,7 +3,7 @@
 
 use super::{
     center,
-    stands::{Stand, Stands},
+    stands::{self, Stand, Stands, Wanted},
 };
 use crate::{
     expr::{ExprGraph, Purpose, Vector},
@@ -29,8 +29,7 @@ pub fn momentum_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<M
     let plan = root::kept_whole(tree, plan);
     let linkage = Linkage::of_speeds(graph, tree, &plan);
     let center = center::from_first(graph, tree, &linkage.links);
-    let axes = graph.identity();
-    let stands = Stands::new(graph, &linkage, (axes, center));
+    let stands = Stands::new(graph, &linkage, Wanted::About(center));
     summed(graph, &linkage, &stands)
 }
 
@@ -38,12 +37,22 @@ pub fn momentum_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<M
 pub fn center_jacobian(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Vector> {
     let plan = root::kept_whole(tree, plan);
     let linkage = Linkage::of_speeds(graph, tree, &plan);
-    let axes = graph.identity();
-    let by_mass = axes.map(|axis| given::over_total_mass(graph, tree, axis));
-    let nowhere = graph.zero_vector();
-    let stands = Stands::new(graph, &linkage, (by_mass, nowhere));
+    let Some(by_mass) = given::inverse_total_mass(graph, tree) else {
+        return vec![graph.zero_vector(); tree.n_speeds];
+    };
+    // A changed mass is to change nothing of bodies that are not on its path.
+    let is_first = stands::stay_apart(graph, &linkage);
+    let factors = if is_first {
+        [by_mass, graph.one()]
+    } else {
+        [graph.one(), by_mass]
+    };
+    let [first, last] = factors;
+    let stands = Stands::new(graph, &linkage, Wanted::Times(first));
     let columns = summed(graph, &linkage, &stands).into_iter();
-    columns.map(|column| column.linear).collect()
+    graph.enter(None);
+    let columns = columns.map(|column| graph.scale(last, column.linear));
+    columns.collect()
 }
 
 /// The momentum of composite bodies for a unit of each motion, along inertial axes and about the point of the stands, added up

@@ -1,7 +1,7 @@
 //! How links stand in the inertial frame, for what goes there at once.
 
 use crate::{
-    expr::{ExprGraph, Matrix, Purpose, Vector, transpose},
+    expr::{Expr, ExprGraph, Matrix, Purpose, Vector, transpose},
     id::{BodyId, BodyMap},
     recursive::{
         links::{
@@ -27,8 +27,9 @@ fn many(plan: &Plan) -> Option<usize> {
 /// How axes stand in the inertial frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stand {
-    /// Inertial components to those along the axes.
+    /// Inertial components to those along the axes, times the factor.
     rotation: Matrix,
+    has_factor: bool,
     /// The point that momenta are to be about, from the origin that has been reached.
     point: Vector,
 }
@@ -42,7 +43,20 @@ impl Stand {
 
     /// Turns a column to inertial axes.
     pub(super) fn turn(&self, graph: &mut ExprGraph, column: &mut Column) {
-        column.turn(graph, &self.rotation);
+        if self.has_factor {
+            column.turn_with_all(graph, &self.rotation);
+        } else {
+            column.turn(graph, &self.rotation);
+        }
+    }
+
+    fn at_root(self, graph: &mut ExprGraph, linkage: &Linkage<'_>, body: BodyId) -> Self {
+        let origin = root::from_first(graph, linkage.tree, &linkage.links, body);
+        graph.enter(None);
+        Self {
+            point: graph.sub_vectors(self.point, origin),
+            ..self
+        }
     }
 }
 
@@ -61,6 +75,15 @@ impl Passenger for Stand {
     fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {}
 }
 
+/// What columns are to be in the end.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Wanted {
+    /// Momenta about a point, which is given from the origin of the first link on the inertial frame.
+    About(Vector),
+    /// Linear momenta times a factor.
+    Times(Expr),
+}
+
 /// The inertial frame itself, and links that carry many columns, where the plan has these go to inertial axes at once.
 pub(super) struct Stands {
     pub(super) links: BodyMap<Option<Stand>>,
@@ -69,17 +92,23 @@ pub(super) struct Stands {
 }
 
 impl Stands {
-    /// For momenta about a point, which is given from the origin of the first link on the inertial frame, times a factor.
-    pub(super) fn new(
-        graph: &mut ExprGraph,
-        linkage: &Linkage<'_>,
-        inertial: (Matrix, Vector),
-    ) -> Self {
+    pub(super) fn new(graph: &mut ExprGraph, linkage: &Linkage<'_>, wanted: Wanted) -> Self {
         let Linkage {
             tree, links, plan, ..
         } = linkage;
-        let (rotation, point) = inertial;
-        let inertial = Stand { rotation, point };
+        let axes = graph.identity();
+        let inertial = match wanted {
+            Wanted::About(point) => Stand {
+                rotation: axes,
+                has_factor: false,
+                point,
+            },
+            Wanted::Times(factor) => Stand {
+                rotation: axes.map(|axis| graph.scale(factor, axis)),
+                has_factor: true,
+                point: graph.zero_vector(),
+            },
+        };
         graph.begin(Purpose::Outward);
         let (many, carried) = (many(plan), carried(linkage));
         let links = BodyMap::outward(
@@ -113,15 +142,37 @@ impl Stands {
     }
 }
 
-impl Stand {
-    fn at_root(self, graph: &mut ExprGraph, linkage: &Linkage<'_>, body: BodyId) -> Self {
-        let origin = root::from_first(graph, linkage.tree, &linkage.links, body);
-        graph.enter(None);
-        Self {
-            point: graph.sub_vectors(self.point, origin),
-            ..self
-        }
+/// True where no constant number is multiplied into axes on their way outward: what belongs to all bodies would become part of it.
+pub(super) fn stay_apart(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> bool {
+    let Linkage { tree, links, .. } = linkage;
+    tree.body_ids().all(|body| {
+        let mut kept = Kept { all: true };
+        graph.enter(body);
+        links[body].passage.outward(graph, &mut kept);
+        kept.all
+    })
+}
+
+/// Whether rotations have no constant entries but 0, 1 and -1.
+struct Kept {
+    all: bool,
+}
+
+impl Passenger for Kept {
+    fn shift(&mut self, _: &mut ExprGraph, _: BodyId, _: Vector) {}
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, _: Drive) {
+        let axes = graph.identity().map(|axis| rotation.forward(graph, axis));
+        let numbers = axes
+            .iter()
+            .flatten()
+            .filter_map(|entry| graph.as_number(*entry));
+        self.all &= numbers
+            .into_iter()
+            .all(|entry| [0.0, 1.0, -1.0].contains(&entry));
     }
+
+    fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {}
 }
 
 /// How many columns each link carries, beside its own.
