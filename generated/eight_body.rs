@@ -63311,58 +63311,60 @@ pub fn center_of_mass_jacobian<R: kane::Real>(
     let camera_t10 = camera_cos1 * camera_t5 + camera_sin1 * camera_t1;
     let camera_t11 = camera_sin1 * camera_t4;
     let camera_t12 = camera_cos1 * camera_t4;
-    let camera_t13 = boom_rot_yx * camera_t9 - boom_rot_xx * camera_t6
+    // system: mass centre and momentum, inward
+    let system_t1 = boom_rot_yx * camera_t9 - boom_rot_xx * camera_t6
         + boom_rot_zx * camera_t10;
-    kane::store(&mut jacobian[0][23], camera_t13);
-    let camera_t14 = boom_rot_yy * camera_t9 - boom_rot_xy * camera_t6
+    kane::store(&mut jacobian[0][23], system_t1);
+    let system_t2 = boom_rot_yy * camera_t9 - boom_rot_xy * camera_t6
         + boom_rot_zy * camera_t10;
-    kane::store(&mut jacobian[1][23], camera_t14);
-    let camera_t15 = boom_rot_yz * camera_t9 - boom_rot_xz * camera_t6
+    kane::store(&mut jacobian[1][23], system_t2);
+    let system_t3 = boom_rot_yz * camera_t9 - boom_rot_xz * camera_t6
         + boom_rot_zz * camera_t10;
-    kane::store(&mut jacobian[2][23], camera_t15);
-    let camera_t16 = boom_rot_xx * camera_t3 + boom_rot_yx * camera_t11
+    kane::store(&mut jacobian[2][23], system_t3);
+    let system_t4 = boom_rot_xx * camera_t3 + boom_rot_yx * camera_t11
         - boom_rot_zx * camera_t12;
-    kane::store(&mut jacobian[0][22], camera_t16);
-    let camera_t17 = boom_rot_xy * camera_t3 + boom_rot_yy * camera_t11
+    kane::store(&mut jacobian[0][22], system_t4);
+    let system_t5 = boom_rot_xy * camera_t3 + boom_rot_yy * camera_t11
         - boom_rot_zy * camera_t12;
-    kane::store(&mut jacobian[1][22], camera_t17);
-    let camera_t18 = boom_rot_xz * camera_t3 + boom_rot_yz * camera_t11
+    kane::store(&mut jacobian[1][22], system_t5);
+    let system_t6 = boom_rot_xz * camera_t3 + boom_rot_yz * camera_t11
         - boom_rot_zz * camera_t12;
-    kane::store(&mut jacobian[2][22], camera_t18);
-    let camera_t19 = boom_rot_zx * camera_t7 - boom_rot_yx * camera_t8;
-    kane::store(&mut jacobian[0][21], camera_t19);
-    let camera_t20 = boom_rot_zy * camera_t7 - boom_rot_yy * camera_t8;
-    kane::store(&mut jacobian[1][21], camera_t20);
-    let camera_t21 = boom_rot_zz * camera_t7 - boom_rot_yz * camera_t8;
-    kane::store(&mut jacobian[2][21], camera_t21);
-    let camera_t22 = R::from_f64(1.717) * boom_rot_xx;
-    kane::store(&mut jacobian[0][45], camera_t22);
-    let camera_t23 = R::from_f64(1.717) * boom_rot_xy;
-    kane::store(&mut jacobian[1][45], camera_t23);
-    let camera_t24 = R::from_f64(1.717) * boom_rot_xz;
-    kane::store(&mut jacobian[2][45], camera_t24);
-    let camera_t25 = R::from_f64(1.717) * boom_rot_yx;
-    kane::store(&mut jacobian[0][46], camera_t25);
-    let camera_t26 = R::from_f64(1.717) * boom_rot_yy;
-    kane::store(&mut jacobian[1][46], camera_t26);
-    let camera_t27 = R::from_f64(1.717) * boom_rot_yz;
-    kane::store(&mut jacobian[2][46], camera_t27);
-    let camera_t28 = R::from_f64(1.717) * boom_rot_zx;
-    kane::store(&mut jacobian[0][47], camera_t28);
-    let camera_t29 = R::from_f64(1.717) * boom_rot_zy;
-    kane::store(&mut jacobian[1][47], camera_t29);
-    let camera_t30 = R::from_f64(1.717) * boom_rot_zz;
-    kane::store(&mut jacobian[2][47], camera_t30);
-    let camera_t31 = R::from_f64(1.717) * camera_offset_x;
-    let camera_t32 = R::from_f64(1.717) * camera_offset_y;
-    let camera_t33 = R::from_f64(1.717) * camera_offset_z;
-    let camera_t34 = camera_t4 + camera_t31;
-    let camera_t35 = camera_t7 + camera_t32;
-    let camera_t36 = camera_t8 + camera_t33;
+    kane::store(&mut jacobian[2][22], system_t6);
+    let system_t7 = boom_rot_zx * camera_t7 - boom_rot_yx * camera_t8;
+    kane::store(&mut jacobian[0][21], system_t7);
+    let system_t8 = boom_rot_zy * camera_t7 - boom_rot_yy * camera_t8;
+    kane::store(&mut jacobian[1][21], system_t8);
+    let system_t9 = boom_rot_zz * camera_t7 - boom_rot_yz * camera_t8;
+    kane::store(&mut jacobian[2][21], system_t9);
+    let system_t10 = R::from_f64(1.717) * boom_rot_xx;
+    kane::store(&mut jacobian[0][45], system_t10);
+    let system_t11 = R::from_f64(1.717) * boom_rot_xy;
+    kane::store(&mut jacobian[1][45], system_t11);
+    let system_t12 = R::from_f64(1.717) * boom_rot_xz;
+    kane::store(&mut jacobian[2][45], system_t12);
+    let system_t13 = R::from_f64(1.717) * boom_rot_yx;
+    kane::store(&mut jacobian[0][46], system_t13);
+    let system_t14 = R::from_f64(1.717) * boom_rot_yy;
+    kane::store(&mut jacobian[1][46], system_t14);
+    let system_t15 = R::from_f64(1.717) * boom_rot_yz;
+    kane::store(&mut jacobian[2][46], system_t15);
+    let system_t16 = R::from_f64(1.717) * boom_rot_zx;
+    kane::store(&mut jacobian[0][47], system_t16);
+    let system_t17 = R::from_f64(1.717) * boom_rot_zy;
+    kane::store(&mut jacobian[1][47], system_t17);
+    let system_t18 = R::from_f64(1.717) * boom_rot_zz;
+    kane::store(&mut jacobian[2][47], system_t18);
+    // camera: mass centre and momentum, inward
+    let camera_t13 = R::from_f64(1.717) * camera_offset_x;
+    let camera_t14 = R::from_f64(1.717) * camera_offset_y;
+    let camera_t15 = R::from_f64(1.717) * camera_offset_z;
+    let camera_t16 = camera_t4 + camera_t13;
+    let camera_t17 = camera_t7 + camera_t14;
+    let camera_t18 = camera_t8 + camera_t15;
     // boom: mass centre and momentum, inward
-    let boom_composite_x = camera_t34 + R::from_f64(0.263312);
-    let boom_composite_y = camera_t35 + R::from_f64(-0.575995);
-    let boom_composite_z = camera_t36 + R::from_f64(-0.48665699999999995);
+    let boom_composite_x = camera_t16 + R::from_f64(0.263312);
+    let boom_composite_y = camera_t17 + R::from_f64(-0.575995);
+    let boom_composite_z = camera_t18 + R::from_f64(-0.48665699999999995);
     let boom_t10 = boom_cos3 * boom_composite_x - boom_sin3 * boom_composite_y;
     let boom_t11 = boom_cos3 * boom_composite_y + boom_sin3 * boom_composite_x;
     let boom_t12 = boom_cos2 * boom_composite_z - boom_sin2 * boom_t10;
@@ -63380,46 +63382,49 @@ pub fn center_of_mass_jacobian<R: kane::Real>(
     let boom_t24 = boom_t17 + boom_t22;
     let boom_t25 = boom_t16 + boom_t23;
     let boom_t26 = boom_t13 + R::from_f64(4.068) * boom_offset_x;
-    let boom_t27 = hub_rot_zx * boom_t19
+    // system: mass centre and momentum, inward
+    let system_t19 = hub_rot_zx * boom_t19
         - (hub_rot_xx * boom_t15 + hub_minus_rot_yx * boom_t18);
-    kane::store(&mut jacobian[0][20], boom_t27);
-    let boom_t28 = hub_rot_yy * boom_t18 - hub_rot_xy * boom_t15
+    kane::store(&mut jacobian[0][20], system_t19);
+    let system_t20 = hub_rot_yy * boom_t18 - hub_rot_xy * boom_t15
         - hub_minus_rot_zy * boom_t19;
-    kane::store(&mut jacobian[1][20], boom_t28);
-    let boom_t29 = hub_rot_yz * boom_t18 - hub_rot_xz * boom_t15 + hub_rot_zz * boom_t19;
-    kane::store(&mut jacobian[2][20], boom_t29);
-    let boom_t30 = hub_rot_xx * boom_t12 - hub_minus_rot_yx * boom_t20
+    kane::store(&mut jacobian[1][20], system_t20);
+    let system_t21 = hub_rot_yz * boom_t18 - hub_rot_xz * boom_t15
+        + hub_rot_zz * boom_t19;
+    kane::store(&mut jacobian[2][20], system_t21);
+    let system_t22 = hub_rot_xx * boom_t12 - hub_minus_rot_yx * boom_t20
         - hub_rot_zx * boom_t21;
-    kane::store(&mut jacobian[0][19], boom_t30);
-    let boom_t31 = hub_rot_xy * boom_t12 + hub_rot_yy * boom_t20
+    kane::store(&mut jacobian[0][19], system_t22);
+    let system_t23 = hub_rot_xy * boom_t12 + hub_rot_yy * boom_t20
         + hub_minus_rot_zy * boom_t21;
-    kane::store(&mut jacobian[1][19], boom_t31);
-    let boom_t32 = hub_rot_xz * boom_t12 + hub_rot_yz * boom_t20 - hub_rot_zz * boom_t21;
-    kane::store(&mut jacobian[2][19], boom_t32);
-    let boom_t33 = hub_minus_rot_yx * boom_t17 + hub_rot_zx * boom_t16;
-    kane::store(&mut jacobian[0][18], boom_t33);
-    let boom_t34 = -(hub_rot_yy * boom_t17 + hub_minus_rot_zy * boom_t16);
-    kane::store(&mut jacobian[1][18], boom_t34);
-    let boom_t35 = hub_rot_zz * boom_t16 - hub_rot_yz * boom_t17;
-    kane::store(&mut jacobian[2][18], boom_t35);
-    let boom_t36 = R::from_f64(4.068) * hub_rot_xx;
-    kane::store(&mut jacobian[0][42], boom_t36);
-    let boom_t37 = R::from_f64(4.068) * hub_rot_xy;
-    kane::store(&mut jacobian[1][42], boom_t37);
-    let boom_t38 = R::from_f64(4.068) * hub_rot_xz;
-    kane::store(&mut jacobian[2][42], boom_t38);
-    let boom_t39 = R::from_f64(-4.068) * hub_minus_rot_yx;
-    kane::store(&mut jacobian[0][43], boom_t39);
-    let boom_t40 = R::from_f64(4.068) * hub_rot_yy;
-    kane::store(&mut jacobian[1][43], boom_t40);
-    let boom_t41 = R::from_f64(4.068) * hub_rot_yz;
-    kane::store(&mut jacobian[2][43], boom_t41);
-    let boom_t42 = R::from_f64(0.2450454791880007) * hub_sin2;
-    kane::store(&mut jacobian[0][44], boom_t42);
-    let boom_t43 = R::from_f64(-4.068) * hub_minus_rot_zy;
-    kane::store(&mut jacobian[1][44], boom_t43);
-    let boom_t44 = R::from_f64(4.068) * hub_rot_zz;
-    kane::store(&mut jacobian[2][44], boom_t44);
+    kane::store(&mut jacobian[1][19], system_t23);
+    let system_t24 = hub_rot_xz * boom_t12 + hub_rot_yz * boom_t20
+        - hub_rot_zz * boom_t21;
+    kane::store(&mut jacobian[2][19], system_t24);
+    let system_t25 = hub_minus_rot_yx * boom_t17 + hub_rot_zx * boom_t16;
+    kane::store(&mut jacobian[0][18], system_t25);
+    let system_t26 = -(hub_rot_yy * boom_t17 + hub_minus_rot_zy * boom_t16);
+    kane::store(&mut jacobian[1][18], system_t26);
+    let system_t27 = hub_rot_zz * boom_t16 - hub_rot_yz * boom_t17;
+    kane::store(&mut jacobian[2][18], system_t27);
+    let system_t28 = R::from_f64(4.068) * hub_rot_xx;
+    kane::store(&mut jacobian[0][42], system_t28);
+    let system_t29 = R::from_f64(4.068) * hub_rot_xy;
+    kane::store(&mut jacobian[1][42], system_t29);
+    let system_t30 = R::from_f64(4.068) * hub_rot_xz;
+    kane::store(&mut jacobian[2][42], system_t30);
+    let system_t31 = R::from_f64(-4.068) * hub_minus_rot_yx;
+    kane::store(&mut jacobian[0][43], system_t31);
+    let system_t32 = R::from_f64(4.068) * hub_rot_yy;
+    kane::store(&mut jacobian[1][43], system_t32);
+    let system_t33 = R::from_f64(4.068) * hub_rot_yz;
+    kane::store(&mut jacobian[2][43], system_t33);
+    let system_t34 = R::from_f64(0.2450454791880007) * hub_sin2;
+    kane::store(&mut jacobian[0][44], system_t34);
+    let system_t35 = R::from_f64(-4.068) * hub_minus_rot_zy;
+    kane::store(&mut jacobian[1][44], system_t35);
+    let system_t36 = R::from_f64(4.068) * hub_rot_zz;
+    kane::store(&mut jacobian[2][44], system_t36);
     // hub: mass centre and momentum, inward
     let hub_t6 = boom_t26 + R::from_f64(0.184569);
     let hub_t7 = boom_t25 + R::from_f64(-0.41750099999999996);
@@ -63450,48 +63455,49 @@ pub fn center_of_mass_jacobian<R: kane::Real>(
     let antenna_t15 = antenna_t8 + antenna_t13;
     let antenna_t16 = antenna_t7 + antenna_t14;
     let antenna_t17 = antenna_t4 + R::from_f64(1.186) * antenna_offset_x;
-    let antenna_t18 = hub_rot_zx * antenna_t10
+    // system: mass centre and momentum, inward
+    let system_t37 = hub_rot_zx * antenna_t10
         - (hub_rot_xx * antenna_t6 + hub_minus_rot_yx * antenna_t9);
-    kane::store(&mut jacobian[0][17], antenna_t18);
-    let antenna_t19 = hub_rot_yy * antenna_t9 - hub_rot_xy * antenna_t6
+    kane::store(&mut jacobian[0][17], system_t37);
+    let system_t38 = hub_rot_yy * antenna_t9 - hub_rot_xy * antenna_t6
         - hub_minus_rot_zy * antenna_t10;
-    kane::store(&mut jacobian[1][17], antenna_t19);
-    let antenna_t20 = hub_rot_yz * antenna_t9 - hub_rot_xz * antenna_t6
+    kane::store(&mut jacobian[1][17], system_t38);
+    let system_t39 = hub_rot_yz * antenna_t9 - hub_rot_xz * antenna_t6
         + hub_rot_zz * antenna_t10;
-    kane::store(&mut jacobian[2][17], antenna_t20);
-    let antenna_t21 = hub_rot_xx * antenna_t3 - hub_minus_rot_yx * antenna_t11
+    kane::store(&mut jacobian[2][17], system_t39);
+    let system_t40 = hub_rot_xx * antenna_t3 - hub_minus_rot_yx * antenna_t11
         - hub_rot_zx * antenna_t12;
-    kane::store(&mut jacobian[0][16], antenna_t21);
-    let antenna_t22 = hub_rot_xy * antenna_t3 + hub_rot_yy * antenna_t11
+    kane::store(&mut jacobian[0][16], system_t40);
+    let system_t41 = hub_rot_xy * antenna_t3 + hub_rot_yy * antenna_t11
         + hub_minus_rot_zy * antenna_t12;
-    kane::store(&mut jacobian[1][16], antenna_t22);
-    let antenna_t23 = hub_rot_xz * antenna_t3 + hub_rot_yz * antenna_t11
+    kane::store(&mut jacobian[1][16], system_t41);
+    let system_t42 = hub_rot_xz * antenna_t3 + hub_rot_yz * antenna_t11
         - hub_rot_zz * antenna_t12;
-    kane::store(&mut jacobian[2][16], antenna_t23);
-    let antenna_t24 = hub_minus_rot_yx * antenna_t8 + hub_rot_zx * antenna_t7;
-    kane::store(&mut jacobian[0][15], antenna_t24);
-    let antenna_t25 = -(hub_rot_yy * antenna_t8 + hub_minus_rot_zy * antenna_t7);
-    kane::store(&mut jacobian[1][15], antenna_t25);
-    let antenna_t26 = hub_rot_zz * antenna_t7 - hub_rot_yz * antenna_t8;
-    kane::store(&mut jacobian[2][15], antenna_t26);
-    let antenna_t27 = R::from_f64(1.186) * hub_rot_xx;
-    kane::store(&mut jacobian[0][39], antenna_t27);
-    let antenna_t28 = R::from_f64(1.186) * hub_rot_xy;
-    kane::store(&mut jacobian[1][39], antenna_t28);
-    let antenna_t29 = R::from_f64(1.186) * hub_rot_xz;
-    kane::store(&mut jacobian[2][39], antenna_t29);
-    let antenna_t30 = R::from_f64(-1.186) * hub_minus_rot_yx;
-    kane::store(&mut jacobian[0][40], antenna_t30);
-    let antenna_t31 = R::from_f64(1.186) * hub_rot_yy;
-    kane::store(&mut jacobian[1][40], antenna_t31);
-    let antenna_t32 = R::from_f64(1.186) * hub_rot_yz;
-    kane::store(&mut jacobian[2][40], antenna_t32);
-    let antenna_t33 = R::from_f64(0.07144147942895006) * hub_sin2;
-    kane::store(&mut jacobian[0][41], antenna_t33);
-    let antenna_t34 = R::from_f64(-1.186) * hub_minus_rot_zy;
-    kane::store(&mut jacobian[1][41], antenna_t34);
-    let antenna_t35 = R::from_f64(1.186) * hub_rot_zz;
-    kane::store(&mut jacobian[2][41], antenna_t35);
+    kane::store(&mut jacobian[2][16], system_t42);
+    let system_t43 = hub_minus_rot_yx * antenna_t8 + hub_rot_zx * antenna_t7;
+    kane::store(&mut jacobian[0][15], system_t43);
+    let system_t44 = -(hub_rot_yy * antenna_t8 + hub_minus_rot_zy * antenna_t7);
+    kane::store(&mut jacobian[1][15], system_t44);
+    let system_t45 = hub_rot_zz * antenna_t7 - hub_rot_yz * antenna_t8;
+    kane::store(&mut jacobian[2][15], system_t45);
+    let system_t46 = R::from_f64(1.186) * hub_rot_xx;
+    kane::store(&mut jacobian[0][39], system_t46);
+    let system_t47 = R::from_f64(1.186) * hub_rot_xy;
+    kane::store(&mut jacobian[1][39], system_t47);
+    let system_t48 = R::from_f64(1.186) * hub_rot_xz;
+    kane::store(&mut jacobian[2][39], system_t48);
+    let system_t49 = R::from_f64(-1.186) * hub_minus_rot_yx;
+    kane::store(&mut jacobian[0][40], system_t49);
+    let system_t50 = R::from_f64(1.186) * hub_rot_yy;
+    kane::store(&mut jacobian[1][40], system_t50);
+    let system_t51 = R::from_f64(1.186) * hub_rot_yz;
+    kane::store(&mut jacobian[2][40], system_t51);
+    let system_t52 = R::from_f64(0.07144147942895006) * hub_sin2;
+    kane::store(&mut jacobian[0][41], system_t52);
+    let system_t53 = R::from_f64(-1.186) * hub_minus_rot_zy;
+    kane::store(&mut jacobian[1][41], system_t53);
+    let system_t54 = R::from_f64(1.186) * hub_rot_zz;
+    kane::store(&mut jacobian[2][41], system_t54);
     // hub: mass centre and momentum, inward
     let hub_t9 = hub_t6 + antenna_t17;
     let hub_t10 = hub_t7 + antenna_t16;
@@ -63519,58 +63525,60 @@ pub fn center_of_mass_jacobian<R: kane::Real>(
     let left_tip_t10 = left_tip_cos1 * left_tip_t5 + left_tip_sin1 * left_tip_t1;
     let left_tip_t11 = left_tip_sin1 * left_tip_t4;
     let left_tip_t12 = left_tip_cos1 * left_tip_t4;
-    let left_tip_t13 = shoulder_rot_yx * left_tip_t9 - shoulder_rot_xx * left_tip_t6
+    // system: mass centre and momentum, inward
+    let system_t55 = shoulder_rot_yx * left_tip_t9 - shoulder_rot_xx * left_tip_t6
         + shoulder_rot_zx * left_tip_t10;
-    kane::store(&mut jacobian[0][14], left_tip_t13);
-    let left_tip_t14 = shoulder_rot_yy * left_tip_t9 - shoulder_rot_xy * left_tip_t6
+    kane::store(&mut jacobian[0][14], system_t55);
+    let system_t56 = shoulder_rot_yy * left_tip_t9 - shoulder_rot_xy * left_tip_t6
         + shoulder_rot_zy * left_tip_t10;
-    kane::store(&mut jacobian[1][14], left_tip_t14);
-    let left_tip_t15 = shoulder_rot_yz * left_tip_t9 - shoulder_rot_xz * left_tip_t6
+    kane::store(&mut jacobian[1][14], system_t56);
+    let system_t57 = shoulder_rot_yz * left_tip_t9 - shoulder_rot_xz * left_tip_t6
         + shoulder_rot_zz * left_tip_t10;
-    kane::store(&mut jacobian[2][14], left_tip_t15);
-    let left_tip_t16 = shoulder_rot_xx * left_tip_t3 + shoulder_rot_yx * left_tip_t11
+    kane::store(&mut jacobian[2][14], system_t57);
+    let system_t58 = shoulder_rot_xx * left_tip_t3 + shoulder_rot_yx * left_tip_t11
         - shoulder_rot_zx * left_tip_t12;
-    kane::store(&mut jacobian[0][13], left_tip_t16);
-    let left_tip_t17 = shoulder_rot_xy * left_tip_t3 + shoulder_rot_yy * left_tip_t11
+    kane::store(&mut jacobian[0][13], system_t58);
+    let system_t59 = shoulder_rot_xy * left_tip_t3 + shoulder_rot_yy * left_tip_t11
         - shoulder_rot_zy * left_tip_t12;
-    kane::store(&mut jacobian[1][13], left_tip_t17);
-    let left_tip_t18 = shoulder_rot_xz * left_tip_t3 + shoulder_rot_yz * left_tip_t11
+    kane::store(&mut jacobian[1][13], system_t59);
+    let system_t60 = shoulder_rot_xz * left_tip_t3 + shoulder_rot_yz * left_tip_t11
         - shoulder_rot_zz * left_tip_t12;
-    kane::store(&mut jacobian[2][13], left_tip_t18);
-    let left_tip_t19 = shoulder_rot_zx * left_tip_t7 - shoulder_rot_yx * left_tip_t8;
-    kane::store(&mut jacobian[0][12], left_tip_t19);
-    let left_tip_t20 = shoulder_rot_zy * left_tip_t7 - shoulder_rot_yy * left_tip_t8;
-    kane::store(&mut jacobian[1][12], left_tip_t20);
-    let left_tip_t21 = shoulder_rot_zz * left_tip_t7 - shoulder_rot_yz * left_tip_t8;
-    kane::store(&mut jacobian[2][12], left_tip_t21);
-    let left_tip_t22 = R::from_f64(3.327) * shoulder_rot_xx;
-    kane::store(&mut jacobian[0][36], left_tip_t22);
-    let left_tip_t23 = R::from_f64(3.327) * shoulder_rot_xy;
-    kane::store(&mut jacobian[1][36], left_tip_t23);
-    let left_tip_t24 = R::from_f64(3.327) * shoulder_rot_xz;
-    kane::store(&mut jacobian[2][36], left_tip_t24);
-    let left_tip_t25 = R::from_f64(3.327) * shoulder_rot_yx;
-    kane::store(&mut jacobian[0][37], left_tip_t25);
-    let left_tip_t26 = R::from_f64(3.327) * shoulder_rot_yy;
-    kane::store(&mut jacobian[1][37], left_tip_t26);
-    let left_tip_t27 = R::from_f64(3.327) * shoulder_rot_yz;
-    kane::store(&mut jacobian[2][37], left_tip_t27);
-    let left_tip_t28 = R::from_f64(3.327) * shoulder_rot_zx;
-    kane::store(&mut jacobian[0][38], left_tip_t28);
-    let left_tip_t29 = R::from_f64(3.327) * shoulder_rot_zy;
-    kane::store(&mut jacobian[1][38], left_tip_t29);
-    let left_tip_t30 = R::from_f64(3.327) * shoulder_rot_zz;
-    kane::store(&mut jacobian[2][38], left_tip_t30);
-    let left_tip_t31 = R::from_f64(3.327) * left_tip_offset_x;
-    let left_tip_t32 = R::from_f64(3.327) * left_tip_offset_y;
-    let left_tip_t33 = R::from_f64(3.327) * left_tip_offset_z;
-    let left_tip_t34 = left_tip_t4 + left_tip_t31;
-    let left_tip_t35 = left_tip_t7 + left_tip_t32;
-    let left_tip_t36 = left_tip_t8 + left_tip_t33;
+    kane::store(&mut jacobian[2][13], system_t60);
+    let system_t61 = shoulder_rot_zx * left_tip_t7 - shoulder_rot_yx * left_tip_t8;
+    kane::store(&mut jacobian[0][12], system_t61);
+    let system_t62 = shoulder_rot_zy * left_tip_t7 - shoulder_rot_yy * left_tip_t8;
+    kane::store(&mut jacobian[1][12], system_t62);
+    let system_t63 = shoulder_rot_zz * left_tip_t7 - shoulder_rot_yz * left_tip_t8;
+    kane::store(&mut jacobian[2][12], system_t63);
+    let system_t64 = R::from_f64(3.327) * shoulder_rot_xx;
+    kane::store(&mut jacobian[0][36], system_t64);
+    let system_t65 = R::from_f64(3.327) * shoulder_rot_xy;
+    kane::store(&mut jacobian[1][36], system_t65);
+    let system_t66 = R::from_f64(3.327) * shoulder_rot_xz;
+    kane::store(&mut jacobian[2][36], system_t66);
+    let system_t67 = R::from_f64(3.327) * shoulder_rot_yx;
+    kane::store(&mut jacobian[0][37], system_t67);
+    let system_t68 = R::from_f64(3.327) * shoulder_rot_yy;
+    kane::store(&mut jacobian[1][37], system_t68);
+    let system_t69 = R::from_f64(3.327) * shoulder_rot_yz;
+    kane::store(&mut jacobian[2][37], system_t69);
+    let system_t70 = R::from_f64(3.327) * shoulder_rot_zx;
+    kane::store(&mut jacobian[0][38], system_t70);
+    let system_t71 = R::from_f64(3.327) * shoulder_rot_zy;
+    kane::store(&mut jacobian[1][38], system_t71);
+    let system_t72 = R::from_f64(3.327) * shoulder_rot_zz;
+    kane::store(&mut jacobian[2][38], system_t72);
+    // left_tip: mass centre and momentum, inward
+    let left_tip_t13 = R::from_f64(3.327) * left_tip_offset_x;
+    let left_tip_t14 = R::from_f64(3.327) * left_tip_offset_y;
+    let left_tip_t15 = R::from_f64(3.327) * left_tip_offset_z;
+    let left_tip_t16 = left_tip_t4 + left_tip_t13;
+    let left_tip_t17 = left_tip_t7 + left_tip_t14;
+    let left_tip_t18 = left_tip_t8 + left_tip_t15;
     // shoulder: mass centre and momentum, inward
-    let shoulder_t10 = left_tip_t34 + R::from_f64(0.54126);
-    let shoulder_t11 = left_tip_t35 + R::from_f64(-0.23436);
-    let shoulder_t12 = left_tip_t36 + R::from_f64(0.44082);
+    let shoulder_t10 = left_tip_t16 + R::from_f64(0.54126);
+    let shoulder_t11 = left_tip_t17 + R::from_f64(-0.23436);
+    let shoulder_t12 = left_tip_t18 + R::from_f64(0.44082);
     // left_panel: mass centre and momentum, inward
     let left_panel_cos3 = cosines[11];
     let left_panel_sin3 = sines[11];
@@ -63603,49 +63611,49 @@ pub fn center_of_mass_jacobian<R: kane::Real>(
     let left_panel_t15 = left_panel_t8 + left_panel_t13;
     let left_panel_t16 = left_panel_t7 + left_panel_t14;
     let left_panel_t17 = left_panel_t4 + R::from_f64(3.255) * left_panel_offset_x;
-    let left_panel_t18 = hub_rot_zx * left_panel_t10
+    // system: mass centre and momentum, inward
+    let system_t73 = hub_rot_zx * left_panel_t10
         - (hub_rot_xx * left_panel_t6 + hub_minus_rot_yx * left_panel_t9);
-    kane::store(&mut jacobian[0][11], left_panel_t18);
-    let left_panel_t19 = hub_rot_yy * left_panel_t9 - hub_rot_xy * left_panel_t6
+    kane::store(&mut jacobian[0][11], system_t73);
+    let system_t74 = hub_rot_yy * left_panel_t9 - hub_rot_xy * left_panel_t6
         - hub_minus_rot_zy * left_panel_t10;
-    kane::store(&mut jacobian[1][11], left_panel_t19);
-    let left_panel_t20 = hub_rot_yz * left_panel_t9 - hub_rot_xz * left_panel_t6
+    kane::store(&mut jacobian[1][11], system_t74);
+    let system_t75 = hub_rot_yz * left_panel_t9 - hub_rot_xz * left_panel_t6
         + hub_rot_zz * left_panel_t10;
-    kane::store(&mut jacobian[2][11], left_panel_t20);
-    let left_panel_t21 = hub_rot_xx * left_panel_t3 - hub_minus_rot_yx * left_panel_t11
+    kane::store(&mut jacobian[2][11], system_t75);
+    let system_t76 = hub_rot_xx * left_panel_t3 - hub_minus_rot_yx * left_panel_t11
         - hub_rot_zx * left_panel_t12;
-    kane::store(&mut jacobian[0][10], left_panel_t21);
-    let left_panel_t22 = hub_rot_xy * left_panel_t3 + hub_rot_yy * left_panel_t11
+    kane::store(&mut jacobian[0][10], system_t76);
+    let system_t77 = hub_rot_xy * left_panel_t3 + hub_rot_yy * left_panel_t11
         + hub_minus_rot_zy * left_panel_t12;
-    kane::store(&mut jacobian[1][10], left_panel_t22);
-    let left_panel_t23 = hub_rot_xz * left_panel_t3 + hub_rot_yz * left_panel_t11
+    kane::store(&mut jacobian[1][10], system_t77);
+    let system_t78 = hub_rot_xz * left_panel_t3 + hub_rot_yz * left_panel_t11
         - hub_rot_zz * left_panel_t12;
-    kane::store(&mut jacobian[2][10], left_panel_t23);
-    let left_panel_t24 = hub_minus_rot_yx * left_panel_t8 + hub_rot_zx * left_panel_t7;
-    kane::store(&mut jacobian[0][9], left_panel_t24);
-    let left_panel_t25 = -(hub_rot_yy * left_panel_t8
-        + hub_minus_rot_zy * left_panel_t7);
-    kane::store(&mut jacobian[1][9], left_panel_t25);
-    let left_panel_t26 = hub_rot_zz * left_panel_t7 - hub_rot_yz * left_panel_t8;
-    kane::store(&mut jacobian[2][9], left_panel_t26);
-    let left_panel_t27 = R::from_f64(3.255) * hub_rot_xx;
-    kane::store(&mut jacobian[0][33], left_panel_t27);
-    let left_panel_t28 = R::from_f64(3.255) * hub_rot_xy;
-    kane::store(&mut jacobian[1][33], left_panel_t28);
-    let left_panel_t29 = R::from_f64(3.255) * hub_rot_xz;
-    kane::store(&mut jacobian[2][33], left_panel_t29);
-    let left_panel_t30 = R::from_f64(-3.255) * hub_minus_rot_yx;
-    kane::store(&mut jacobian[0][34], left_panel_t30);
-    let left_panel_t31 = R::from_f64(3.255) * hub_rot_yy;
-    kane::store(&mut jacobian[1][34], left_panel_t31);
-    let left_panel_t32 = R::from_f64(3.255) * hub_rot_yz;
-    kane::store(&mut jacobian[2][34], left_panel_t32);
-    let left_panel_t33 = R::from_f64(0.19607252575146075) * hub_sin2;
-    kane::store(&mut jacobian[0][35], left_panel_t33);
-    let left_panel_t34 = R::from_f64(-3.255) * hub_minus_rot_zy;
-    kane::store(&mut jacobian[1][35], left_panel_t34);
-    let left_panel_t35 = R::from_f64(3.255) * hub_rot_zz;
-    kane::store(&mut jacobian[2][35], left_panel_t35);
+    kane::store(&mut jacobian[2][10], system_t78);
+    let system_t79 = hub_minus_rot_yx * left_panel_t8 + hub_rot_zx * left_panel_t7;
+    kane::store(&mut jacobian[0][9], system_t79);
+    let system_t80 = -(hub_rot_yy * left_panel_t8 + hub_minus_rot_zy * left_panel_t7);
+    kane::store(&mut jacobian[1][9], system_t80);
+    let system_t81 = hub_rot_zz * left_panel_t7 - hub_rot_yz * left_panel_t8;
+    kane::store(&mut jacobian[2][9], system_t81);
+    let system_t82 = R::from_f64(3.255) * hub_rot_xx;
+    kane::store(&mut jacobian[0][33], system_t82);
+    let system_t83 = R::from_f64(3.255) * hub_rot_xy;
+    kane::store(&mut jacobian[1][33], system_t83);
+    let system_t84 = R::from_f64(3.255) * hub_rot_xz;
+    kane::store(&mut jacobian[2][33], system_t84);
+    let system_t85 = R::from_f64(-3.255) * hub_minus_rot_yx;
+    kane::store(&mut jacobian[0][34], system_t85);
+    let system_t86 = R::from_f64(3.255) * hub_rot_yy;
+    kane::store(&mut jacobian[1][34], system_t86);
+    let system_t87 = R::from_f64(3.255) * hub_rot_yz;
+    kane::store(&mut jacobian[2][34], system_t87);
+    let system_t88 = R::from_f64(0.19607252575146075) * hub_sin2;
+    kane::store(&mut jacobian[0][35], system_t88);
+    let system_t89 = R::from_f64(-3.255) * hub_minus_rot_zy;
+    kane::store(&mut jacobian[1][35], system_t89);
+    let system_t90 = R::from_f64(3.255) * hub_rot_zz;
+    kane::store(&mut jacobian[2][35], system_t90);
     // hub: mass centre and momentum, inward
     let hub_t12 = hub_t9 + left_panel_t17;
     let hub_t13 = hub_t10 + left_panel_t16;
@@ -63671,58 +63679,60 @@ pub fn center_of_mass_jacobian<R: kane::Real>(
     let forearm_t10 = forearm_cos1 * forearm_t5 + forearm_sin1 * forearm_t1;
     let forearm_t11 = forearm_sin1 * forearm_t4;
     let forearm_t12 = forearm_cos1 * forearm_t4;
-    let forearm_t13 = shoulder_rot_yx * forearm_t9 - shoulder_rot_xx * forearm_t6
+    // system: mass centre and momentum, inward
+    let system_t91 = shoulder_rot_yx * forearm_t9 - shoulder_rot_xx * forearm_t6
         + shoulder_rot_zx * forearm_t10;
-    kane::store(&mut jacobian[0][8], forearm_t13);
-    let forearm_t14 = shoulder_rot_yy * forearm_t9 - shoulder_rot_xy * forearm_t6
+    kane::store(&mut jacobian[0][8], system_t91);
+    let system_t92 = shoulder_rot_yy * forearm_t9 - shoulder_rot_xy * forearm_t6
         + shoulder_rot_zy * forearm_t10;
-    kane::store(&mut jacobian[1][8], forearm_t14);
-    let forearm_t15 = shoulder_rot_yz * forearm_t9 - shoulder_rot_xz * forearm_t6
+    kane::store(&mut jacobian[1][8], system_t92);
+    let system_t93 = shoulder_rot_yz * forearm_t9 - shoulder_rot_xz * forearm_t6
         + shoulder_rot_zz * forearm_t10;
-    kane::store(&mut jacobian[2][8], forearm_t15);
-    let forearm_t16 = shoulder_rot_xx * forearm_t3 + shoulder_rot_yx * forearm_t11
+    kane::store(&mut jacobian[2][8], system_t93);
+    let system_t94 = shoulder_rot_xx * forearm_t3 + shoulder_rot_yx * forearm_t11
         - shoulder_rot_zx * forearm_t12;
-    kane::store(&mut jacobian[0][7], forearm_t16);
-    let forearm_t17 = shoulder_rot_xy * forearm_t3 + shoulder_rot_yy * forearm_t11
+    kane::store(&mut jacobian[0][7], system_t94);
+    let system_t95 = shoulder_rot_xy * forearm_t3 + shoulder_rot_yy * forearm_t11
         - shoulder_rot_zy * forearm_t12;
-    kane::store(&mut jacobian[1][7], forearm_t17);
-    let forearm_t18 = shoulder_rot_xz * forearm_t3 + shoulder_rot_yz * forearm_t11
+    kane::store(&mut jacobian[1][7], system_t95);
+    let system_t96 = shoulder_rot_xz * forearm_t3 + shoulder_rot_yz * forearm_t11
         - shoulder_rot_zz * forearm_t12;
-    kane::store(&mut jacobian[2][7], forearm_t18);
-    let forearm_t19 = shoulder_rot_zx * forearm_t7 - shoulder_rot_yx * forearm_t8;
-    kane::store(&mut jacobian[0][6], forearm_t19);
-    let forearm_t20 = shoulder_rot_zy * forearm_t7 - shoulder_rot_yy * forearm_t8;
-    kane::store(&mut jacobian[1][6], forearm_t20);
-    let forearm_t21 = shoulder_rot_zz * forearm_t7 - shoulder_rot_yz * forearm_t8;
-    kane::store(&mut jacobian[2][6], forearm_t21);
-    let forearm_t22 = R::from_f64(1.918) * shoulder_rot_xx;
-    kane::store(&mut jacobian[0][30], forearm_t22);
-    let forearm_t23 = R::from_f64(1.918) * shoulder_rot_xy;
-    kane::store(&mut jacobian[1][30], forearm_t23);
-    let forearm_t24 = R::from_f64(1.918) * shoulder_rot_xz;
-    kane::store(&mut jacobian[2][30], forearm_t24);
-    let forearm_t25 = R::from_f64(1.918) * shoulder_rot_yx;
-    kane::store(&mut jacobian[0][31], forearm_t25);
-    let forearm_t26 = R::from_f64(1.918) * shoulder_rot_yy;
-    kane::store(&mut jacobian[1][31], forearm_t26);
-    let forearm_t27 = R::from_f64(1.918) * shoulder_rot_yz;
-    kane::store(&mut jacobian[2][31], forearm_t27);
-    let forearm_t28 = R::from_f64(1.918) * shoulder_rot_zx;
-    kane::store(&mut jacobian[0][32], forearm_t28);
-    let forearm_t29 = R::from_f64(1.918) * shoulder_rot_zy;
-    kane::store(&mut jacobian[1][32], forearm_t29);
-    let forearm_t30 = R::from_f64(1.918) * shoulder_rot_zz;
-    kane::store(&mut jacobian[2][32], forearm_t30);
-    let forearm_t31 = R::from_f64(1.918) * forearm_offset_x;
-    let forearm_t32 = R::from_f64(1.918) * forearm_offset_y;
-    let forearm_t33 = R::from_f64(1.918) * forearm_offset_z;
-    let forearm_t34 = forearm_t4 + forearm_t31;
-    let forearm_t35 = forearm_t7 + forearm_t32;
-    let forearm_t36 = forearm_t8 + forearm_t33;
+    kane::store(&mut jacobian[2][7], system_t96);
+    let system_t97 = shoulder_rot_zx * forearm_t7 - shoulder_rot_yx * forearm_t8;
+    kane::store(&mut jacobian[0][6], system_t97);
+    let system_t98 = shoulder_rot_zy * forearm_t7 - shoulder_rot_yy * forearm_t8;
+    kane::store(&mut jacobian[1][6], system_t98);
+    let system_t99 = shoulder_rot_zz * forearm_t7 - shoulder_rot_yz * forearm_t8;
+    kane::store(&mut jacobian[2][6], system_t99);
+    let system_t100 = R::from_f64(1.918) * shoulder_rot_xx;
+    kane::store(&mut jacobian[0][30], system_t100);
+    let system_t101 = R::from_f64(1.918) * shoulder_rot_xy;
+    kane::store(&mut jacobian[1][30], system_t101);
+    let system_t102 = R::from_f64(1.918) * shoulder_rot_xz;
+    kane::store(&mut jacobian[2][30], system_t102);
+    let system_t103 = R::from_f64(1.918) * shoulder_rot_yx;
+    kane::store(&mut jacobian[0][31], system_t103);
+    let system_t104 = R::from_f64(1.918) * shoulder_rot_yy;
+    kane::store(&mut jacobian[1][31], system_t104);
+    let system_t105 = R::from_f64(1.918) * shoulder_rot_yz;
+    kane::store(&mut jacobian[2][31], system_t105);
+    let system_t106 = R::from_f64(1.918) * shoulder_rot_zx;
+    kane::store(&mut jacobian[0][32], system_t106);
+    let system_t107 = R::from_f64(1.918) * shoulder_rot_zy;
+    kane::store(&mut jacobian[1][32], system_t107);
+    let system_t108 = R::from_f64(1.918) * shoulder_rot_zz;
+    kane::store(&mut jacobian[2][32], system_t108);
+    // forearm: mass centre and momentum, inward
+    let forearm_t13 = R::from_f64(1.918) * forearm_offset_x;
+    let forearm_t14 = R::from_f64(1.918) * forearm_offset_y;
+    let forearm_t15 = R::from_f64(1.918) * forearm_offset_z;
+    let forearm_t16 = forearm_t4 + forearm_t13;
+    let forearm_t17 = forearm_t7 + forearm_t14;
+    let forearm_t18 = forearm_t8 + forearm_t15;
     // shoulder: mass centre and momentum, inward
-    let shoulder_composite_x = shoulder_t10 + forearm_t34;
-    let shoulder_composite_y = shoulder_t11 + forearm_t35;
-    let shoulder_composite_z = shoulder_t12 + forearm_t36;
+    let shoulder_composite_x = shoulder_t10 + forearm_t16;
+    let shoulder_composite_y = shoulder_t11 + forearm_t17;
+    let shoulder_composite_z = shoulder_t12 + forearm_t18;
     let shoulder_t13 = shoulder_cos3 * shoulder_composite_x
         - shoulder_sin3 * shoulder_composite_y;
     let shoulder_t14 = shoulder_cos3 * shoulder_composite_y
@@ -63744,48 +63754,49 @@ pub fn center_of_mass_jacobian<R: kane::Real>(
     let shoulder_t27 = shoulder_t20 + shoulder_t25;
     let shoulder_t28 = shoulder_t19 + shoulder_t26;
     let shoulder_t29 = shoulder_t16 + R::from_f64(7.105) * shoulder_offset_x;
-    let shoulder_t30 = hub_rot_zx * shoulder_t22
+    // system: mass centre and momentum, inward
+    let system_t109 = hub_rot_zx * shoulder_t22
         - (hub_rot_xx * shoulder_t18 + hub_minus_rot_yx * shoulder_t21);
-    kane::store(&mut jacobian[0][5], shoulder_t30);
-    let shoulder_t31 = hub_rot_yy * shoulder_t21 - hub_rot_xy * shoulder_t18
+    kane::store(&mut jacobian[0][5], system_t109);
+    let system_t110 = hub_rot_yy * shoulder_t21 - hub_rot_xy * shoulder_t18
         - hub_minus_rot_zy * shoulder_t22;
-    kane::store(&mut jacobian[1][5], shoulder_t31);
-    let shoulder_t32 = hub_rot_yz * shoulder_t21 - hub_rot_xz * shoulder_t18
+    kane::store(&mut jacobian[1][5], system_t110);
+    let system_t111 = hub_rot_yz * shoulder_t21 - hub_rot_xz * shoulder_t18
         + hub_rot_zz * shoulder_t22;
-    kane::store(&mut jacobian[2][5], shoulder_t32);
-    let shoulder_t33 = hub_rot_xx * shoulder_t15 - hub_minus_rot_yx * shoulder_t23
+    kane::store(&mut jacobian[2][5], system_t111);
+    let system_t112 = hub_rot_xx * shoulder_t15 - hub_minus_rot_yx * shoulder_t23
         - hub_rot_zx * shoulder_t24;
-    kane::store(&mut jacobian[0][4], shoulder_t33);
-    let shoulder_t34 = hub_rot_xy * shoulder_t15 + hub_rot_yy * shoulder_t23
+    kane::store(&mut jacobian[0][4], system_t112);
+    let system_t113 = hub_rot_xy * shoulder_t15 + hub_rot_yy * shoulder_t23
         + hub_minus_rot_zy * shoulder_t24;
-    kane::store(&mut jacobian[1][4], shoulder_t34);
-    let shoulder_t35 = hub_rot_xz * shoulder_t15 + hub_rot_yz * shoulder_t23
+    kane::store(&mut jacobian[1][4], system_t113);
+    let system_t114 = hub_rot_xz * shoulder_t15 + hub_rot_yz * shoulder_t23
         - hub_rot_zz * shoulder_t24;
-    kane::store(&mut jacobian[2][4], shoulder_t35);
-    let shoulder_t36 = hub_minus_rot_yx * shoulder_t20 + hub_rot_zx * shoulder_t19;
-    kane::store(&mut jacobian[0][3], shoulder_t36);
-    let shoulder_t37 = -(hub_rot_yy * shoulder_t20 + hub_minus_rot_zy * shoulder_t19);
-    kane::store(&mut jacobian[1][3], shoulder_t37);
-    let shoulder_t38 = hub_rot_zz * shoulder_t19 - hub_rot_yz * shoulder_t20;
-    kane::store(&mut jacobian[2][3], shoulder_t38);
-    let shoulder_t39 = R::from_f64(7.105) * hub_rot_xx;
-    kane::store(&mut jacobian[0][27], shoulder_t39);
-    let shoulder_t40 = R::from_f64(7.105) * hub_rot_xy;
-    kane::store(&mut jacobian[1][27], shoulder_t40);
-    let shoulder_t41 = R::from_f64(7.105) * hub_rot_xz;
-    kane::store(&mut jacobian[2][27], shoulder_t41);
-    let shoulder_t42 = R::from_f64(-7.105) * hub_minus_rot_yx;
-    kane::store(&mut jacobian[0][28], shoulder_t42);
-    let shoulder_t43 = R::from_f64(7.105) * hub_rot_yy;
-    kane::store(&mut jacobian[1][28], shoulder_t43);
-    let shoulder_t44 = R::from_f64(7.105) * hub_rot_yz;
-    kane::store(&mut jacobian[2][28], shoulder_t44);
-    let shoulder_t45 = R::from_f64(0.42798626588759714) * hub_sin2;
-    kane::store(&mut jacobian[0][29], shoulder_t45);
-    let shoulder_t46 = R::from_f64(-7.105) * hub_minus_rot_zy;
-    kane::store(&mut jacobian[1][29], shoulder_t46);
-    let shoulder_t47 = R::from_f64(7.105) * hub_rot_zz;
-    kane::store(&mut jacobian[2][29], shoulder_t47);
+    kane::store(&mut jacobian[2][4], system_t114);
+    let system_t115 = hub_minus_rot_yx * shoulder_t20 + hub_rot_zx * shoulder_t19;
+    kane::store(&mut jacobian[0][3], system_t115);
+    let system_t116 = -(hub_rot_yy * shoulder_t20 + hub_minus_rot_zy * shoulder_t19);
+    kane::store(&mut jacobian[1][3], system_t116);
+    let system_t117 = hub_rot_zz * shoulder_t19 - hub_rot_yz * shoulder_t20;
+    kane::store(&mut jacobian[2][3], system_t117);
+    let system_t118 = R::from_f64(7.105) * hub_rot_xx;
+    kane::store(&mut jacobian[0][27], system_t118);
+    let system_t119 = R::from_f64(7.105) * hub_rot_xy;
+    kane::store(&mut jacobian[1][27], system_t119);
+    let system_t120 = R::from_f64(7.105) * hub_rot_xz;
+    kane::store(&mut jacobian[2][27], system_t120);
+    let system_t121 = R::from_f64(-7.105) * hub_minus_rot_yx;
+    kane::store(&mut jacobian[0][28], system_t121);
+    let system_t122 = R::from_f64(7.105) * hub_rot_yy;
+    kane::store(&mut jacobian[1][28], system_t122);
+    let system_t123 = R::from_f64(7.105) * hub_rot_yz;
+    kane::store(&mut jacobian[2][28], system_t123);
+    let system_t124 = R::from_f64(0.42798626588759714) * hub_sin2;
+    kane::store(&mut jacobian[0][29], system_t124);
+    let system_t125 = R::from_f64(-7.105) * hub_minus_rot_zy;
+    kane::store(&mut jacobian[1][29], system_t125);
+    let system_t126 = R::from_f64(7.105) * hub_rot_zz;
+    kane::store(&mut jacobian[2][29], system_t126);
     // hub: mass centre and momentum, inward
     let hub_composite_x = hub_t12 + shoulder_t29;
     let hub_composite_y = hub_t13 + shoulder_t28;
@@ -63802,22 +63813,23 @@ pub fn center_of_mass_jacobian<R: kane::Real>(
     let hub_t24 = hub_cos1 * hub_t19 + hub_sin1 * hub_t15;
     let hub_t25 = hub_sin1 * hub_t18;
     let hub_t26 = hub_cos1 * hub_t18;
-    let hub_t27 = R::from_f64(-0.060237335100295164) * hub_t20;
-    kane::store(&mut jacobian[0][2], hub_t27);
-    let hub_t28 = R::from_f64(0.060237335100295164) * hub_t23;
-    kane::store(&mut jacobian[1][2], hub_t28);
-    let hub_t29 = R::from_f64(0.060237335100295164) * hub_t24;
-    kane::store(&mut jacobian[2][2], hub_t29);
-    let hub_t30 = R::from_f64(0.060237335100295164) * hub_t17;
-    kane::store(&mut jacobian[0][1], hub_t30);
-    let hub_t31 = R::from_f64(0.060237335100295164) * hub_t25;
-    kane::store(&mut jacobian[1][1], hub_t31);
-    let hub_t32 = R::from_f64(-0.060237335100295164) * hub_t26;
-    kane::store(&mut jacobian[2][1], hub_t32);
-    let hub_t33 = R::from_f64(-0.060237335100295164) * hub_t22;
-    kane::store(&mut jacobian[1][0], hub_t33);
-    let hub_t34 = R::from_f64(0.060237335100295164) * hub_t21;
-    kane::store(&mut jacobian[2][0], hub_t34);
+    // system: mass centre and momentum, inward
+    let system_t127 = R::from_f64(-0.060237335100295164) * hub_t20;
+    kane::store(&mut jacobian[0][2], system_t127);
+    let system_t128 = R::from_f64(0.060237335100295164) * hub_t23;
+    kane::store(&mut jacobian[1][2], system_t128);
+    let system_t129 = R::from_f64(0.060237335100295164) * hub_t24;
+    kane::store(&mut jacobian[2][2], system_t129);
+    let system_t130 = R::from_f64(0.060237335100295164) * hub_t17;
+    kane::store(&mut jacobian[0][1], system_t130);
+    let system_t131 = R::from_f64(0.060237335100295164) * hub_t25;
+    kane::store(&mut jacobian[1][1], system_t131);
+    let system_t132 = R::from_f64(-0.060237335100295164) * hub_t26;
+    kane::store(&mut jacobian[2][1], system_t132);
+    let system_t133 = R::from_f64(-0.060237335100295164) * hub_t22;
+    kane::store(&mut jacobian[1][0], system_t133);
+    let system_t134 = R::from_f64(0.060237335100295164) * hub_t21;
+    kane::store(&mut jacobian[2][0], system_t134);
     jacobian[0][0] = R::from_f64(0.0);
     jacobian[0][24] = R::from_f64(1.0);
     jacobian[0][25] = R::from_f64(0.0);
@@ -64423,7 +64435,7 @@ fn centroidal_momentum_matrix_lockstep_4<R: kane::Real>(
 
 /// Momentum of all bodies about their mass centre for a unit of each speed, a column for each: linear, kg m/s, and angular, kg m^2/s, are these
 /// matrices times `u`, inertial components. Also known as centroidal momentum matrix, cmm, `A_G`, ccrba. Rotors have none.
-/// Where no body has mass there is linear momentum of none; masses that are zero at run time alone give NaN.
+/// Where no body has mass, `linear` is zero; masses that are zero at run time alone give NaN.
 ///
 /// Operations: 2415 = 1366 mul + 1001 add + 0 div + 48 trig; formulation: recursive.
 #[allow(

@@ -28,7 +28,6 @@ struct Entry {
     length: &'static str,
     places: &'static str,
     brief: &'static str,
-    meaning: &'static str,
     written: &'static str,
     of: fn(&Tree) -> Vec<[usize; 2]>,
 }
@@ -49,7 +48,6 @@ impl Packed {
                 length: "MASS_MATRIX_PACKED_LEN",
                 places: "MASS_MATRIX_PACKED_PLACES",
                 brief: "Number of entries of a packed mass matrix",
-                meaning: "The row and column of each entry of a packed mass matrix; those above the diagonal are the same.",
                 written: "The row and column of each entry that `mass_matrix_packed` writes; those above the diagonal are the same.",
                 of: |tree| Vec::from_iter(tree.coupled_speeds()),
             },
@@ -58,7 +56,6 @@ impl Packed {
                 length: "MASS_MATRIX_INVERSE_PACKED_LEN",
                 places: "MASS_MATRIX_INVERSE_PACKED_PLACES",
                 brief: "Number of entries of a packed inverse of a mass matrix",
-                meaning: "The row and column of each entry of a packed inverse of a mass matrix; those above the diagonal are the same.",
                 written: "The row and column of each entry that `mass_matrix_inverse_packed` writes; those above the diagonal are the same.",
                 of: |tree| Vec::from_iter(solve::inverse_places(tree)),
             },
@@ -67,7 +64,6 @@ impl Packed {
                 length: "MASS_MATRIX_FACTORS_LEN",
                 places: "MASS_MATRIX_FACTORS_PLACES",
                 brief: "Number of entries of the factors of a mass matrix",
-                meaning: "The two speeds, as row and column, of each entry of the factors of a mass matrix.",
                 written: "The two speeds of each entry that `mass_matrix_factors` writes: of D on the diagonal, of L elsewhere, in the row of the one that is eliminated first.",
                 of: |tree| Vec::from_iter(solve::factor_places(tree)),
             },
@@ -76,7 +72,6 @@ impl Packed {
                 length: "REGRESSOR_PACKED_LEN",
                 places: "REGRESSOR_PACKED_PLACES",
                 brief: "Number of entries of a packed regressor",
-                meaning: "The row, which is a speed, and the column, `10 body + parameter`, of each entry of a packed regressor, column after column; all others are zero.",
                 written: "The row, which is a speed, and the column, `10 body + parameter`, of each entry that `regressor_packed` writes, column after column; all others are zero.",
                 of: regressor::places,
             },
@@ -112,11 +107,6 @@ impl Packed {
     }
 
     /// What the places are, in words.
-    pub fn meaning(self) -> &'static str {
-        self.entry().meaning
-    }
-
-    /// The same beside the function that writes them.
     pub fn written(self) -> &'static str {
         self.entry().written
     }

@@ -61,6 +61,12 @@ enum {
     CART_POLE_ANGLE_POLE_THETA2 = 0
 };
 
+/// The body-connection array: the number of each body's lower body (parent), counted from 1; 0 is the inertial frame.
+static const int CART_POLE_LOWER_BODIES[CART_POLE_NB] = {
+    0,
+    1
+};
+
 /// The bodies' names.
 static const char *const CART_POLE_BODY_NAMES[CART_POLE_NB] = {
     "cart",
@@ -77,6 +83,12 @@ static const char *const CART_POLE_COORDINATE_NAMES[CART_POLE_NQ] = {
 static const char *const CART_POLE_SPEED_NAMES[CART_POLE_NU] = {
     "cart_s1_dot",
     "pole_theta2_dot"
+};
+
+/// The body that each speed moves relative to its lower body, as an index into `BODY_NAMES`.
+static const int CART_POLE_SPEED_BODIES[CART_POLE_NU] = {
+    0,
+    1
 };
 
 /// The least value of each coordinate, rad, m: data only.

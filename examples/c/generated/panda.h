@@ -72,6 +72,17 @@ typedef struct kane_frame {
 } kane_frame;
 #endif
 
+/// The body-connection array: the number of each body's lower body (parent), counted from 1; 0 is the inertial frame.
+static const int PANDA_LOWER_BODIES[PANDA_NB] = {
+    0,
+    1,
+    2,
+    3,
+    4,
+    5,
+    6
+};
+
 /// The bodies' names.
 static const char *const PANDA_BODY_NAMES[PANDA_NB] = {
     "panda_link1",
@@ -103,6 +114,17 @@ static const char *const PANDA_SPEED_NAMES[PANDA_NU] = {
     "panda_joint5_dot",
     "panda_joint6_dot",
     "panda_joint7_dot"
+};
+
+/// The body that each speed moves relative to its lower body, as an index into `BODY_NAMES`.
+static const int PANDA_SPEED_BODIES[PANDA_NU] = {
+    0,
+    1,
+    2,
+    3,
+    4,
+    5,
+    6
 };
 
 /// Frames of the model's bodies that are fixed to others, and part of them.

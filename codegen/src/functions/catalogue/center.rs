@@ -93,7 +93,7 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX: Function = Function {
     doc: &[
         "Momentum of all bodies about their mass centre for a unit of each speed, a column for each: linear, kg m/s, and angular, kg m^2/s, are these",
         "matrices times `u`, inertial components. Also known as centroidal momentum matrix, cmm, `A_G`, ccrba. Rotors have none.",
-        "Where no body has mass there is linear momentum of none; masses that are zero at run time alone give NaN.",
+        "Where no body has mass, `linear` is zero; masses that are zero at run time alone give NaN.",
     ],
     derivation: Derivation::EitherWay(roots::center::centroidal_momentum_matrix),
     terms: Terms::OfVector,

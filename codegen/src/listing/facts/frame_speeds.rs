@@ -37,7 +37,7 @@ impl FrameSpeeds {
                 constant: part.speeds_constant(),
                 length: part.speeds_len_constant(),
                 doc: format!(
-                    "The speeds that move the frame {}, as indices into `SPEED_NAMES`: the other columns of its Jacobian are zero.",
+                    "The speeds that move the frame {}, as places in `u`: the other columns of its Jacobian are zero.",
                     frames.join(" as it is seen from ")
                 ),
                 speeds: speeds.map(SpeedId::index).collect(),

@@ -1,16 +1,18 @@
-//! Names, limits and frames, as constant tables of a header.
+//! The module's constants, as constant tables of a header.
 
 use super::text::{once, table};
-use crate::listing::{BaseTerm, Constant, Data, Facts, Frame};
+use crate::{
+    functions::CompactBlock,
+    listing::{BaseTerm, Constant, Data, Facts, Frame},
+};
 
 /// The tables, in the order of the module's constants; what is empty is left out.
 pub(super) fn tables(facts: &Facts, prefix: &str) -> Vec<String> {
-    let constants = [
-        facts.constants(),
-        facts.base_parameter_constants(),
-        facts.parameter_constants(),
-    ]
-    .concat();
+    let mut constants = facts.constants();
+    constants.extend(facts.output_constants());
+    constants.extend(facts.prescribed_constant());
+    let patterns = facts.patterns.iter();
+    constants.extend(patterns.flat_map(|pattern| facts.pattern_constants(pattern)));
     let mut tables: Vec<String> = constants
         .iter()
         .filter_map(|constant| of(constant, prefix))
@@ -20,6 +22,13 @@ pub(super) fn tables(facts: &Facts, prefix: &str) -> Vec<String> {
     }
     if facts.base_parameters.is_some() {
         tables.insert(0, once("KANE_BASE_TERM", BASE_TERM));
+    }
+    if facts
+        .patterns
+        .iter()
+        .any(|pattern| !pattern.entries.is_empty())
+    {
+        tables.insert(0, once("KANE_BLOCK", BLOCK));
     }
     tables
 }
@@ -57,7 +66,29 @@ fn of(constant: &Constant<'_>, prefix: &str) -> Option<String> {
             format!("kane_base_term {prefix}{name}[{}]", terms.len()),
             terms.iter().map(term).collect(),
         ),
-        _ => return None,
+        Data::Integers(length, values) => (
+            format!("int {prefix}{name}[{prefix}{length}]"),
+            values.iter().map(usize::to_string).collect(),
+        ),
+        Data::Truths(length, values) => (
+            format!("int {prefix}{name}[{prefix}{length}]"),
+            values
+                .iter()
+                .map(|value| u8::from(*value).to_string())
+                .collect(),
+        ),
+        Data::Places(length, places) => (
+            format!("int {prefix}{name}[{prefix}{length}][2]"),
+            places.iter().map(|place| list(place)).collect(),
+        ),
+        Data::Blocks(blocks) => (
+            format!("kane_block {prefix}{name}[{}]", blocks.len()),
+            blocks.iter().map(block).collect(),
+        ),
+        // Sizes stand above; the places of joints are enumerations.
+        Data::Size(_) | Data::Hash(_) | Data::Text(_) | Data::Joints(..) | Data::Costs(_) => {
+            return None;
+        }
     };
     (!entries.is_empty()).then(|| table(constant.doc, &declared, entries.into_iter()))
 }
@@ -83,6 +114,33 @@ typedef struct kane_base_term {
     double factor;
 } kane_base_term;
 ";
+
+const BLOCK: &str = "\
+/// Columns that belong to one body and to speeds in a row, all counted from 0: the body whose velocity it is, the partition
+/// among those of all bodies, the first speed, how many speeds and columns, and the place of the first column.
+typedef struct kane_block {
+    int body;
+    int partition;
+    int speed;
+    int columns;
+    int first;
+} kane_block;
+";
+
+fn block(block: &CompactBlock) -> String {
+    list(&[
+        block.body,
+        block.partition,
+        block.speed,
+        block.columns,
+        block.first,
+    ])
+}
+
+fn list(entries: &[usize]) -> String {
+    let entries: Vec<String> = entries.iter().map(ToString::to_string).collect();
+    format!("{{{}}}", entries.join(", "))
+}
 
 fn term(term: &BaseTerm) -> String {
     let BaseTerm {

@@ -5,14 +5,11 @@ use std::collections::BTreeSet;
 use super::{
     data,
     rules::{RULES, SCALARS, scalar_type, symbol},
-    text::{once, table},
+    text::once,
 };
 use crate::{
-    functions::{
-        Access, CompactBlock, Declared, ELIMINATION, Element, Length, N_SPEEDS, PRESCRIBED,
-        Signature,
-    },
-    listing::{Entries, Facts, Module, Size, nominal},
+    functions::{Access, Declared, Element, Length, Signature},
+    listing::{Facts, Module, Size, nominal},
     words::C_STRUCTURES,
 };
 
@@ -48,7 +45,6 @@ pub fn text(module: &Module, name: &str) -> String {
     sections.push(header.sizes());
     sections.extend(header.places());
     sections.extend(data::tables(&module.facts, &header.prefix));
-    sections.extend(header.tables());
     let mut arguments = signatures.iter().flat_map(|one| &one.arguments);
     if arguments.any(|one| one.element == Element::Load) {
         sections.push(once("KANE_LOAD", &loads()));
@@ -139,80 +135,6 @@ impl Header<'_> {
             format!("/// {doc}\nenum {{\n{}\n}};\n", names.join(",\n"))
         });
         lists.collect()
-    }
-
-    /// Which entries of a whole compact outputs are.
-    fn tables(&self) -> Vec<String> {
-        let prefix = &self.prefix;
-        let mut tables = Vec::new();
-        for (packed, places) in &self.facts.packed {
-            let places = places.iter().map(|place| list(place));
-            let (constant, length) = (packed.places_constant(), packed.length_constant());
-            let declared = format!("int {prefix}{constant}[{prefix}{length}][2]");
-            tables.push(table(packed.meaning(), &declared, places));
-        }
-        if let Some(order) = &self.facts.elimination {
-            let doc = "The speeds in the order of their elimination.";
-            let declared = format!("int {prefix}{ELIMINATION}[{prefix}{N_SPEEDS}]");
-            let speeds = order.iter().map(ToString::to_string);
-            tables.push(table(doc, &declared, speeds));
-        }
-        let prescribed = self.facts.prescribed.iter();
-        tables.extend(prescribed.filter(|own| !own.is_empty()).map(|own| {
-            let doc = "1 for each speed whose acceleration `hybrid_dynamics` is given, and whose force it finds; 0 for others.";
-            let declared = format!("int {prefix}{PRESCRIBED}[{prefix}{N_SPEEDS}]");
-            let truths = own.iter().map(|truth| u8::from(*truth).to_string());
-            table(doc, &declared, truths)
-        }));
-        let frames = self.facts.frame_speeds.iter();
-        let frames = frames.filter(|frame| !frame.speeds.is_empty());
-        tables.extend(frames.map(|frame| {
-            let speeds = frame.speeds.iter().map(usize::to_string);
-            let (constant, length) = (&frame.constant, &frame.length);
-            let declared = format!("int {prefix}{constant}[{prefix}{length}]");
-            table(
-                &frame.doc.replace("`SPEED_NAMES`", "`u`"),
-                &declared,
-                speeds,
-            )
-        }));
-        tables.extend(self.facts.entries.iter().flat_map(|own| self.entries(own)));
-        let patterns = self.facts.patterns.iter();
-        let patterns = patterns.filter(|pattern| !pattern.entries.is_empty());
-        let blocks = patterns.map(|pattern| {
-            let entries = pattern.entries.iter().map(block);
-            let (constant, length) = (&pattern.blocks, entries.len());
-            let declared = format!("kane_block {prefix}{constant}[{length}]");
-            table(
-                "The non-zero partitions, body after body.",
-                &declared,
-                entries,
-            )
-        });
-        let blocks: Vec<String> = blocks.collect();
-        tables.extend((!blocks.is_empty()).then(|| once("KANE_BLOCK", BLOCK)));
-        tables.extend(blocks);
-        tables
-    }
-
-    /// Where the entries of a packed derivative stand, and the colours of its columns.
-    fn entries(&self, own: &Entries) -> Vec<String> {
-        let prefix = &self.prefix;
-        let mut tables = Vec::new();
-        if !own.places.is_empty() {
-            let places = own.places.iter().map(|place| list(place));
-            let (constant, length) = (&own.constant, &own.length);
-            let declared = format!("int {prefix}{constant}[{prefix}{length}][2]");
-            tables.push(table(&own.doc, &declared, places));
-        }
-        let colors = own.colors.iter().filter(|own| !own.colors.is_empty());
-        tables.extend(colors.map(|own| {
-            let colors = own.colors.iter().map(usize::to_string);
-            let (constant, length) = (&own.constant, &own.length);
-            let declared = format!("int {prefix}{constant}[{prefix}{length}]");
-            table(&own.doc, &declared, colors)
-        }));
-        tables
     }
 
     /// What stands in one piece in memory: parameters, what is prepared from them, sines and cosines.
@@ -307,18 +229,6 @@ impl Header<'_> {
     }
 }
 
-const BLOCK: &str = "\
-/// Columns that belong to one body and to speeds in a row, all counted from 0: the body whose velocity it is, the partition
-/// among those of all bodies, the first speed, how many speeds and columns, and the place of the first column.
-typedef struct kane_block {
-    int body;
-    int partition;
-    int speed;
-    int columns;
-    int first;
-} kane_block;
-";
-
 /// The structures of loads.
 fn loads() -> String {
     let structures = SCALARS.map(|scalar| {
@@ -348,21 +258,6 @@ fn structure(name: &str, doc: &str, fields: &[(String, String)], scalar: &str) -
         fields => fields.iter().map(field).collect(),
     };
     format!("/// {doc}\ntypedef struct {name} {{\n{fields}}} {name};\n")
-}
-
-fn block(block: &CompactBlock) -> String {
-    list(&[
-        block.body,
-        block.partition,
-        block.speed,
-        block.columns,
-        block.first,
-    ])
-}
-
-fn list(entries: &[usize]) -> String {
-    let entries: Vec<String> = entries.iter().map(ToString::to_string).collect();
-    format!("{{{}}}", entries.join(", "))
 }
 
 fn comment<S: AsRef<str>>(mark: &str, lines: impl IntoIterator<Item = S>) -> String {

@@ -80,9 +80,9 @@ pub fn momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) ->
 /// Its acceleration for `y_dot = 0`, inertial components; zero where no body has mass.
 pub fn jacobian_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
     let links = link::links(graph, tree, plan);
-    let bend = whole(graph, tree, &links, true).bend;
-    let bend = bend.unwrap_or_else(|| graph.zero_vector());
-    given::over_total_mass(graph, tree, bend)
+    let second = whole(graph, tree, &links, true).second;
+    let second = second.unwrap_or_else(|| graph.zero_vector());
+    given::over_total_mass(graph, tree, second)
 }
 
 /// The rate of the first moment of all bodies, which is their linear momentum: inertial components.
@@ -106,26 +106,31 @@ struct MovingMass {
     /// How that changes as it is seen from there.
     rate: Vector,
     /// How the rate changes as it is seen from there, for `y_dot = 0`; `None` where nobody asks.
-    bend: Option<Vector>,
+    second: Option<Vector>,
 }
 
 /// All of it, about the origin of the first link on the inertial frame, inertial components.
-fn whole(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>, bends: bool) -> MovingMass {
+fn whole(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    links: &BodyMap<Link>,
+    with_second: bool,
+) -> MovingMass {
     graph.begin(Purpose::Momentum);
     let masses = BodyMap::outward(tree.bodies.len(), |body, _| MovingMass {
         mass: links[body].inertia.mass,
         moment: links[body].inertia.moment,
         rate: graph.zero_vector(),
-        bend: bends.then(|| graph.zero_vector()),
+        second: with_second.then(|| graph.zero_vector()),
     });
     let name = |mass: &MovingMass, graph: &mut ExprGraph| {
         graph.name_vector(mass.moment, "composite");
         graph.name_vector(mass.rate, "composite_dot");
-        if let Some(bend) = mass.bend {
-            graph.name_vector(bend, "composite_bend");
+        if let Some(second) = mass.second {
+            graph.name_vector(second, "composite_ddot");
         }
     };
-    let mut all = MovingMass::none(graph, bends);
+    let mut all = MovingMass::none(graph, with_second);
     let passage = |body| &links[body].passage;
     totalled(
         graph,
@@ -144,12 +149,12 @@ fn whole(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>, bends: bool)
 }
 
 impl MovingMass {
-    fn none(graph: &mut ExprGraph, bends: bool) -> Self {
+    fn none(graph: &mut ExprGraph, with_second: bool) -> Self {
         Self {
             mass: graph.zero(),
             moment: graph.zero_vector(),
             rate: graph.zero_vector(),
-            bend: bends.then(|| graph.zero_vector()),
+            second: with_second.then(|| graph.zero_vector()),
         }
     }
 }
@@ -160,9 +165,9 @@ impl Addend for MovingMass {
             mass: graph.add(self.mass, other.mass),
             moment: graph.add_vectors(self.moment, other.moment),
             rate: graph.add_vectors(self.rate, other.rate),
-            bend: self
-                .bend
-                .zip(other.bend)
+            second: self
+                .second
+                .zip(other.second)
                 .map(|(own, other)| graph.add_vectors(own, other)),
         }
     }
@@ -170,8 +175,8 @@ impl Addend for MovingMass {
     /// The lower link's own rate is zero: what arrives first would else bear its name.
     fn name_below(&self, graph: &mut ExprGraph) {
         graph.name_vector(self.rate, "composite_dot_below");
-        if let Some(bend) = self.bend {
-            graph.name_vector(bend, "composite_bend_below");
+        if let Some(second) = self.second {
+            graph.name_vector(second, "composite_ddot_below");
         }
     }
 }
@@ -188,10 +193,10 @@ impl Passenger for MovingMass {
         self.rate = graph.add_vectors(before, swept);
         // `w × (2 h_dot + w × h)`.
         let both = graph.add_vectors(before, self.rate);
-        self.bend = self.bend.map(|bend| {
+        self.second = self.second.map(|second| {
             let convected = graph.cross(rates, both);
-            let bend = graph.add_vectors(bend, convected);
-            rotation.backward(graph, bend)
+            let second = graph.add_vectors(second, convected);
+            rotation.backward(graph, second)
         });
         self.moment = rotation.backward(graph, self.moment);
         self.rate = rotation.backward(graph, self.rate);

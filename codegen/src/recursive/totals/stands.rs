@@ -105,7 +105,7 @@ impl Stands {
             },
             Wanted::Times(factor) => Stand {
                 rotation: axes.map(|axis| graph.scale(factor, axis)),
-                has_factor: true,
+                has_factor: graph.as_number(factor) != Some(1.0),
                 point: graph.zero_vector(),
             },
         };
