@@ -25,6 +25,21 @@ pub(super) enum Derivation {
     OfFrames(fn(&mut ExprGraph, &Tree, Way<'_>, &Subject) -> Vec<Expr>),
 }
 
+/// The derivation by the notes' equations, or by the recursion, whose entries are all that the function has.
+macro_rules! either {
+    ($notes:path, $recursive:path) => {
+        $crate::functions::derivation::Derivation::EitherWay(|graph, tree, way| match way {
+            $crate::functions::formulation::Way::Notes => {
+                $crate::functions::entries::Entries::entries($notes(graph, tree))
+            }
+            $crate::functions::formulation::Way::Recursive(plan) => {
+                $crate::functions::entries::Entries::entries($recursive(graph, tree, plan))
+            }
+        })
+    };
+}
+pub(super) use either;
+
 /// The entries of a function of the system, either way.
 pub(super) type EitherWay = fn(&mut ExprGraph, &Tree, Way<'_>) -> Vec<Expr>;
 

@@ -10,6 +10,7 @@ mod catalogue;
 mod derivation;
 mod derivatives;
 mod derived;
+mod entries;
 mod formulation;
 mod function;
 mod joined;

@@ -1,13 +1,16 @@
 //! The mass centre of all bodies, and momentum about it.
 
-use crate::functions::{
-    argument::Argument,
-    derivation::Derivation,
-    function::{Function, Output, PLAIN},
-    roots,
-    shape::Shape,
-    terms::Terms,
-    unit::{LEVER, Unit},
+use crate::{
+    functions::{
+        argument::Argument,
+        derivation::either,
+        function::{Function, Output, PLAIN},
+        shape::Shape,
+        terms::Terms,
+        unit::{LEVER, Unit},
+    },
+    kane,
+    recursive::totals,
 };
 
 pub(super) const CENTER_OF_MASS: Function = Function {
@@ -19,7 +22,7 @@ pub(super) const CENTER_OF_MASS: Function = Function {
         "Mass centre of all bodies, from the inertial origin: inertial components, {position}. Also known as centre of mass, com.",
         "Mass that is fixed to the inertial frame does not count. Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.",
     ],
-    derivation: Derivation::EitherWay(roots::center::center_of_mass),
+    derivation: either!(kane::center::position, totals::center::position),
     ..PLAIN
 };
 
@@ -32,7 +35,7 @@ pub(super) const CENTER_OF_MASS_VELOCITY: Function = Function {
         "Velocity of the mass centre of all bodies in the inertial frame: inertial components, {velocity}; zero where no body has mass.",
         "Masses that are zero at run time alone give NaN.",
     ],
-    derivation: Derivation::EitherWay(roots::center::center_of_mass_velocity),
+    derivation: either!(kane::center::velocity, totals::center::velocity),
     ..PLAIN
 };
 
@@ -49,7 +52,10 @@ pub(super) const CENTER_OF_MASS_JACOBIAN: Function = Function {
         "Partial velocities of the mass centre of all bodies, a column for each speed: its velocity is this matrix times `u`, inertial components.",
         "Also known as com Jacobian. Zero where no body has mass; masses that are zero at run time alone give NaN.",
     ],
-    derivation: Derivation::EitherWay(roots::center::center_of_mass_jacobian),
+    derivation: either!(
+        kane::center::jacobian,
+        totals::momentum_matrix::center_jacobian
+    ),
     terms: Terms::OfVector,
     ..PLAIN
 };
@@ -68,7 +74,7 @@ pub(super) const CENTER_OF_MASS_JACOBIAN_DOT_U: Function = Function {
         "acceleration is `J u_dot` and this, without gravity. Also known as com drift. Zero where no body has mass; masses that are zero at run",
         "time alone give NaN.",
     ],
-    derivation: Derivation::EitherWay(roots::center::center_of_mass_jacobian_dot_u),
+    derivation: either!(kane::center::jacobian_dot_u, totals::center::jacobian_dot_u),
     ..PLAIN
 };
 
@@ -95,7 +101,10 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX: Function = Function {
         "matrices times `u`, inertial components. Also known as centroidal momentum matrix, cmm, `A_G`, ccrba. Rotors have none.",
         "Where no body has mass, `linear` is zero; masses that are zero at run time alone give NaN.",
     ],
-    derivation: Derivation::EitherWay(roots::center::centroidal_momentum_matrix),
+    derivation: either!(
+        kane::center::momentum_matrix,
+        totals::momentum_matrix::momentum_matrix
+    ),
     terms: Terms::OfVector,
     ..PLAIN
 };
@@ -122,6 +131,9 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX_DOT_U: Function = Function {
         "Rates of linear momentum, {linear}, and of angular momentum about the mass centre, {angular}, of all bodies for `u_dot = 0`: inertial components.",
         "With the centroidal momentum matrix `A_G`, their rates are `A_G u_dot` and this. Also known as `A_G_dot u`, centroidal bias, hdot drift.",
     ],
-    derivation: Derivation::EitherWay(roots::center::centroidal_momentum_matrix_dot_u),
+    derivation: either!(
+        kane::center::momentum_matrix_dot_u,
+        totals::center::momentum_matrix_dot_u
+    ),
     ..PLAIN
 };

@@ -1,14 +1,17 @@
 //! Forces, and what they accelerate.
 
-use crate::functions::{
-    argument::Argument,
-    derivation::Derivation,
-    function::{Function, MassMatrixUse, Output, PLAIN},
-    roots,
-    shape::Shape,
-    terms::Terms,
-    told::{KnownMatrix, ReadOff},
-    unit::{ACCELERATION, FORCE, Unit},
+use crate::{
+    functions::{
+        argument::Argument,
+        derivation::{Derivation, either},
+        function::{Function, MassMatrixUse, Output, PLAIN},
+        roots,
+        shape::Shape,
+        terms::Terms,
+        told::{KnownMatrix, ReadOff},
+        unit::{ACCELERATION, FORCE, Unit},
+    },
+    kane, recursive,
 };
 
 pub(super) const GENERALIZED_FORCES: Function = Function {
@@ -20,7 +23,10 @@ pub(super) const GENERALIZED_FORCES: Function = Function {
         "Generalized forces of the loads, Eq. (36): `tau`, without gravity; {tau}.",
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
     ],
-    derivation: Derivation::EitherWay(roots::dynamics::generalized_forces),
+    derivation: either!(
+        kane::dynamics::generalized_forces,
+        recursive::forces::inverse_dynamics::generalized_forces
+    ),
     terms: Terms::OfVector,
     ..PLAIN
 };
@@ -111,7 +117,10 @@ pub(super) const GRAVITY_FORCES: Function = Function {
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
         "{tau}. Also known as gravity torque, generalized gravity, `g(q)`.",
     ],
-    derivation: Derivation::EitherWay(roots::dynamics::gravity_forces),
+    derivation: either!(
+        kane::dynamics::gravity_forces,
+        recursive::forces::gravity::gravity_forces
+    ),
     terms: Terms::OfVector,
     ..PLAIN
 };

@@ -1,12 +1,15 @@
 //! Energies and momenta of the whole system, and energies by body.
 
-use crate::functions::{
-    argument::Argument,
-    derivation::Derivation,
-    function::{Function, Output, PLAIN},
-    roots,
-    shape::Shape,
-    unit::Unit,
+use crate::{
+    functions::{
+        argument::Argument,
+        derivation::either,
+        function::{Function, Output, PLAIN},
+        shape::Shape,
+        unit::Unit,
+    },
+    kane,
+    recursive::totals,
 };
 
 pub(super) const KINETIC_ENERGY: Function = Function {
@@ -16,7 +19,7 @@ pub(super) const KINETIC_ENERGY: Function = Function {
     outputs: &[Output::new("energy", Shape::SCALAR, Unit::Of(&["J"]))],
     is_default: true,
     doc: &["Kinetic energy in the inertial frame, {energy}."],
-    derivation: Derivation::EitherWay(roots::energy::kinetic_energy),
+    derivation: either!(kane::energy::kinetic, totals::energy::kinetic),
     ..PLAIN
 };
 
@@ -29,7 +32,7 @@ pub(super) const POTENTIAL_ENERGY: Function = Function {
     doc: &[
         "Potential energy, {energy}: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.",
     ],
-    derivation: Derivation::EitherWay(roots::energy::potential_energy),
+    derivation: either!(kane::energy::potential, totals::energy::potential),
     ..PLAIN
 };
 
@@ -43,7 +46,7 @@ pub(super) const LINEAR_MOMENTUM: Function = Function {
         Unit::Of(&["kg m/s"]),
     )],
     doc: &["Linear momentum of all bodies: inertial components, {momentum}."],
-    derivation: Derivation::EitherWay(roots::energy::linear_momentum),
+    derivation: either!(kane::energy::linear_momentum, totals::momentum::linear),
     ..PLAIN
 };
 
@@ -59,7 +62,7 @@ pub(super) const ANGULAR_MOMENTUM: Function = Function {
     doc: &[
         "Angular momentum of all bodies about the inertial origin: inertial components, {momentum}.",
     ],
-    derivation: Derivation::EitherWay(roots::energy::angular_momentum),
+    derivation: either!(kane::energy::angular_momentum, totals::momentum::angular),
     ..PLAIN
 };
 
@@ -75,7 +78,10 @@ pub(super) const KINETIC_ENERGIES: Function = Function {
     doc: &[
         "Kinetic energy of each body in the inertial frame, with that of the rotors of its joint, {energies}: `kinetic_energy` by bodies.",
     ],
-    derivation: Derivation::EitherWay(roots::energy::kinetic_energies),
+    derivation: either!(
+        kane::energy::kinetic_by_body,
+        totals::body_energies::kinetic_by_body
+    ),
     ..PLAIN
 };
 
@@ -92,6 +98,9 @@ pub(super) const POTENTIAL_ENERGIES: Function = Function {
         "Potential energy of each body, with that of the springs of its joint, {energies}: `potential_energy` by bodies. That of weight is zero for a",
         "mass at the inertial origin, that of a spring at rest.",
     ],
-    derivation: Derivation::EitherWay(roots::energy::potential_energies),
+    derivation: either!(
+        kane::energy::potential_by_body,
+        totals::body_energies::potential_by_body
+    ),
     ..PLAIN
 };

@@ -1,14 +1,17 @@
 //! The mass matrix as an operator: what it makes of accelerations and of forces, its inverse, its factors.
 
-use crate::functions::{
-    argument::Argument,
-    derivation::Derivation,
-    function::{Function, MassMatrixUse, Output, PLAIN},
-    roots,
-    shape::Shape,
-    terms::Terms,
-    told::{Beside, KnownMatrix, ReadOff},
-    unit::{ACCELERATION, FORCE, Unit},
+use crate::{
+    functions::{
+        argument::Argument,
+        derivation::{Derivation, either},
+        function::{Function, MassMatrixUse, Output, PLAIN},
+        roots,
+        shape::Shape,
+        terms::Terms,
+        told::{Beside, KnownMatrix, ReadOff},
+        unit::{ACCELERATION, FORCE, Unit},
+    },
+    kane, recursive,
 };
 
 pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
@@ -140,7 +143,10 @@ pub(super) const CORIOLIS_MATRIX: Function = Function {
         "Of every particle `m V^T V_dot`, from Eqs. (15), (20), (32), (33): where all speeds are rates of coordinates it is that of the Christoffel symbols of the first kind,",
         "with angular velocities as speeds that which bodies have. Also known as centrifugal and Coriolis matrix, computeCoriolisMatrix, `C(q, q_dot)`.",
     ],
-    derivation: Derivation::EitherWay(roots::coriolis::coriolis_matrix),
+    derivation: either!(
+        kane::coriolis::coriolis_matrix,
+        recursive::matrices::coriolis::coriolis_matrix
+    ),
     terms: Terms::OfMatrix,
     ..PLAIN
 };
@@ -161,7 +167,10 @@ pub(super) const MASS_MATRIX_DOT: Function = Function {
     doc: &[
         "Rate of the mass matrix of Eq. (42) for the motion `u`, `M_dot = C + C^T`: symmetric, every entry written. Also known as time derivative of the joint-space inertia.",
     ],
-    derivation: Derivation::EitherWay(roots::coriolis::mass_matrix_dot),
+    derivation: either!(
+        kane::coriolis::mass_matrix_dot,
+        recursive::matrices::mass_matrix_dot::mass_matrix_dot
+    ),
     terms: Terms::OfMatrix,
     ..PLAIN
 };

@@ -5,27 +5,13 @@ use crate::{
     expr::{Expr, ExprGraph, Input, Purpose},
     functions::{
         argument::Argument,
-        formulation::Way,
         told::{KnownMatrix, Told},
     },
     given::{Accelerations, mechanics},
-    kane::coriolis as notes,
     recursive::{Plan, forces::gravity, matrices as recursive},
     solve::{self, SpeedMatrix},
     tree::Tree,
 };
-
-pub(in crate::functions) fn coriolis_matrix(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    way: Way<'_>,
-) -> Vec<Expr> {
-    let matrix = match way {
-        Way::Notes => notes::coriolis_matrix(graph, tree),
-        Way::Recursive(plan) => recursive::coriolis::coriolis_matrix(graph, tree, plan),
-    };
-    matrix.concat()
-}
 
 /// With the mass matrix, which its columns hold, and its rate.
 pub(in crate::functions) fn coriolis_matrix_beside(
@@ -85,16 +71,4 @@ pub(in crate::functions) fn bias_of_coriolis(
     }
     mechanics::add_forces(graph, tree, Accelerations::Zero, &mut bias);
     bias
-}
-
-pub(in crate::functions) fn mass_matrix_dot(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    way: Way<'_>,
-) -> Vec<Expr> {
-    let matrix = match way {
-        Way::Notes => notes::mass_matrix_dot(graph, tree),
-        Way::Recursive(plan) => recursive::mass_matrix_dot::mass_matrix_dot(graph, tree, plan),
-    };
-    matrix.concat()
 }

@@ -78,17 +78,6 @@ pub(super) fn at(places: impl IntoIterator<Item = [usize; 2]>, matrix: &SpeedMat
     places.map(|[row, column]| matrix[row][column]).collect()
 }
 
-pub(in crate::functions) fn generalized_forces(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    way: Way<'_>,
-) -> Vec<Expr> {
-    match way {
-        Way::Notes => notes::generalized_forces(graph, tree),
-        Way::Recursive(plan) => inverse_dynamics::generalized_forces(graph, tree, plan),
-    }
-}
-
 pub(in crate::functions) fn forcing(graph: &mut ExprGraph, tree: &Tree, way: Way<'_>) -> Vec<Expr> {
     let f = match way {
         Way::Notes => notes::forcing(graph, tree),
@@ -101,17 +90,6 @@ pub(in crate::functions) fn forcing(graph: &mut ExprGraph, tree: &Tree, way: Way
 
 pub(in crate::functions) fn bias(graph: &mut ExprGraph, tree: &Tree, way: Way<'_>) -> Vec<Expr> {
     needed(graph, tree, way, Accelerations::Zero, Loads::Absent)
-}
-
-pub(in crate::functions) fn gravity_forces(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    way: Way<'_>,
-) -> Vec<Expr> {
-    match way {
-        Way::Notes => notes::gravity_forces(graph, tree),
-        Way::Recursive(plan) => gravity::gravity_forces(graph, tree, plan),
-    }
 }
 
 pub(in crate::functions) fn inverse_dynamics(

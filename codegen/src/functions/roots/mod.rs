@@ -1,13 +1,10 @@
-//! How functions are derived: for each file of the catalogue one that puts the root expressions together from the equations, and
-//! what several of them use.
+//! How functions are derived whose entries are not just what equations give: by the files of the catalogue, with what several of them use.
 //!
 //! In: a tree, and where there are two the way to associate sums over bodies. Out: the entries of all outputs, row-major, in the user's axes.
 
-pub(super) mod center;
 pub(super) mod coordinates;
 pub(super) mod coriolis;
 pub(super) mod dynamics;
-pub(super) mod energy;
 pub(super) mod frames;
 pub(super) mod hybrid;
 pub(super) mod jacobians;
