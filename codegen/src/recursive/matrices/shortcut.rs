@@ -193,11 +193,22 @@ impl<'a> Shortcuts<'a> {
         columns: impl Iterator<Item = &'c mut C>,
     ) -> Option<Shortcut> {
         let mut columns: Vec<_> = columns.filter(|own| own.stays(graph)).collect();
-        let shortcut = self.from(graph, body, C::N_FORCES * columns.len())?;
+        let shortcut = self.of(graph, body, columns.iter().map(|own| &**own))?;
         for column in &mut columns {
             column.depart(graph, &shortcut, axis);
         }
         Some(shortcut)
+    }
+
+    /// The shortcut from a link for columns, if there is one that pays.
+    pub(in crate::recursive) fn of<'c, C: Sent + 'c>(
+        &mut self,
+        graph: &mut ExprGraph,
+        body: BodyId,
+        columns: impl Iterator<Item = &'c C>,
+    ) -> Option<Shortcut> {
+        let n_columns = columns.filter(|own| own.stays(graph)).count();
+        self.from(graph, body, C::N_FORCES * n_columns)
     }
 
     fn directions(&mut self, graph: &mut ExprGraph, body: BodyId) -> Matrix {

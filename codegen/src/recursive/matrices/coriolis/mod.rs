@@ -13,14 +13,14 @@ pub(in crate::recursive) mod velocities;
 
 use self::{
     column::{CoriolisColumn, Masses},
-    velocities::{Velocity, velocities},
+    velocities::{AtMotions, Velocity, velocities},
 };
 use super::{
     ahead::{About, Ahead},
     gathered::Gathered,
     lever::Levered,
     moments::{Changing, Moments, Rates},
-    shortcut::{Shortcut, Shortcuts},
+    shortcut::{Sent, Shortcut, Shortcuts},
     speed_matrix,
 };
 use crate::{
@@ -111,7 +111,7 @@ struct Carried<'a, 'b> {
     moments: Moments,
     rates: Rates,
     /// The link's velocity wherever motions of the rest of the way enter.
-    velocities: &'a [Velocity],
+    velocities: &'a [AtMotions],
     columns: Vec<CoriolisColumn>,
     shortcuts: &'a mut Shortcuts<'b>,
     ahead: &'a mut Ahead<'b>,
@@ -120,8 +120,8 @@ struct Carried<'a, 'b> {
 }
 
 impl Carried<'_, '_> {
-    /// The velocity where the next motions enter.
-    fn next(&mut self) -> Velocity {
+    /// The velocities where the next motions enter.
+    fn next(&mut self) -> AtMotions {
         let (velocity, rest) = self
             .velocities
             .split_last()
@@ -181,20 +181,16 @@ impl Carried<'_, '_> {
         }
     }
 
-    /// Row and column of the motion that began last, about (0 to 2) or along (3 to 5) an axis.
+    /// Row and column of a motion, about (0 to 2) or along (3 to 5) an axis, off the columns of others.
     fn read(&mut self, graph: &mut ExprGraph, motion: Motion, place: usize, [w, v]: Velocity) {
         let unit = graph.unit_vector(place % 3);
-        let last = self.columns.len() - 1;
-        for (i, column) in self.columns.iter().enumerate() {
+        for column in &self.columns {
             let row = column.needed.read(place);
             speed_matrix::add(graph, self.c, [motion, column.motion], row);
             if let Some(mass) = self.mass.as_deref_mut() {
                 let entry = column.momentum.read(place);
                 let row = [motion, column.motion];
-                speed_matrix::add_mirrored(graph, mass, row, entry, i == last);
-            }
-            if i == last {
-                continue;
+                speed_matrix::add_mirrored(graph, mass, row, entry, false);
             }
             let axis_rate = graph.cross(w, unit);
             let Wrench { moment, force } = column.momentum.wrench;
@@ -208,6 +204,54 @@ impl Carried<'_, '_> {
             }
             speed_matrix::add(graph, self.c, [column.motion, motion], mirrored);
         }
+    }
+
+    /// Begins the column of a motion.
+    fn begin(&mut self, graph: &mut ExprGraph, motion: Motion, place: usize, velocity: Velocity) {
+        let masses = self.masses();
+        let column = match place {
+            0..3 => CoriolisColumn::of_turn(graph, masses, motion, place, velocity),
+            _ => CoriolisColumn::of_shift(graph, masses, motion, place - 3, velocity),
+        };
+        let row = [motion; 2];
+        speed_matrix::add(graph, self.c, row, column.needed.read(place));
+        if let Some(mass) = self.mass.as_deref_mut() {
+            let entry = column.momentum.read(place);
+            speed_matrix::add_mirrored(graph, mass, row, entry, true);
+        }
+        self.columns.push(column);
+    }
+
+    /// The shortcut before the link's turn, if there is one that pays.
+    fn shortcut(&mut self, graph: &mut ExprGraph) -> Option<Shortcut> {
+        self.shortcuts.of(graph, self.body, self.columns.iter())
+    }
+
+    /// Sends columns off before a turn about an axis, or gets them ready for it.
+    fn leave(&mut self, graph: &mut ExprGraph, axis: Axis, shortcut: Option<Shortcut>) {
+        if let Some(shortcut) = &shortcut {
+            for column in &mut self.columns {
+                if column.stays(graph) {
+                    column.depart(graph, shortcut, axis);
+                }
+            }
+        }
+        self.read_ahead(graph, axis, shortcut);
+        for column in &mut self.columns {
+            column.before_turn(graph, axis, shortcut);
+        }
+    }
+
+    /// All of it to the axes before a rotation, seen from there.
+    fn turn_back(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        for column in &mut self.columns {
+            column.turn(graph, rotation);
+        }
+        graph.enter(self.body);
+        let w = drive.speeds(graph);
+        self.rates = self
+            .rates
+            .undriven(graph, &mut self.moments, rotation, (drive, w));
     }
 }
 
@@ -223,39 +267,46 @@ impl Passenger for Carried<'_, '_> {
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        let velocity = self.next();
-        for (axis, motion) in drive.motions().into_iter().enumerate() {
-            if let Some(motion) = motion {
-                let column = CoriolisColumn::of_turn(graph, self.masses(), motion, axis, velocity);
-                self.columns.push(column);
-                self.read(graph, motion, axis, velocity);
+        let AtMotions { before, after } = self.next();
+        match drive {
+            // Before it the link turns more slowly, and of that only where something below turns at all is more needed.
+            Drive::Angle(axis, motion) if !graph.is_zero_vector(before[0]) => {
+                let place = axis.index();
+                let shortcut = self.shortcut(graph);
+                // What leaves is read where it is.
+                let is_read_first = self.ahead.may(self.body) || shortcut.is_some();
+                if is_read_first {
+                    self.read(graph, motion, place, after);
+                }
+                self.leave(graph, axis, shortcut);
+                self.turn_back(graph, rotation, drive);
+                if !is_read_first {
+                    self.read(graph, motion, place, before);
+                }
+                self.begin(graph, motion, place, before);
+            }
+            _ => {
+                for (place, motion) in drive.motions().into_iter().enumerate() {
+                    if let Some(motion) = motion {
+                        self.read(graph, motion, place, after);
+                        self.begin(graph, motion, place, after);
+                    }
+                }
+                if let Drive::Angle(axis, _) = drive {
+                    let shortcut = self.shortcut(graph);
+                    self.leave(graph, axis, shortcut);
+                }
+                self.turn_back(graph, rotation, drive);
             }
         }
-        if let Drive::Angle(axis, _) = drive {
-            let at = (self.body, axis);
-            let shortcut = self.shortcuts.send(graph, at, self.columns.iter_mut());
-            self.read_ahead(graph, axis, shortcut);
-            for column in &mut self.columns {
-                column.before_turn(graph, axis, shortcut);
-            }
-        }
-        for column in &mut self.columns {
-            column.turn(graph, rotation);
-        }
-        graph.enter(self.body);
-        let w = drive.speeds(graph);
-        self.rates = self
-            .rates
-            .undriven(graph, &mut self.moments, rotation, (drive, w));
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let velocity = self.next();
+        let AtMotions { after, .. } = self.next();
         for (axis, motion) in motions.into_iter().enumerate() {
             if let Some(motion) = motion {
-                let column = CoriolisColumn::of_shift(graph, self.masses(), motion, axis, velocity);
-                self.columns.push(column);
-                self.read(graph, motion, 3 + axis, velocity);
+                self.read(graph, motion, 3 + axis, after);
+                self.begin(graph, motion, 3 + axis, after);
             }
         }
         let own = speeds(graph, motions);

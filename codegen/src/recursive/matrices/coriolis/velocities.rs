@@ -14,13 +14,20 @@ use crate::{
 /// Angular velocity, and velocity of the origin.
 pub(in crate::recursive) type Velocity = [Vector; 2];
 
+/// The velocity where motions enter: on both sides of a rotation, which adds what drives it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct AtMotions {
+    pub(super) before: Velocity,
+    pub(super) after: Velocity,
+}
+
 /// A link's velocity on its way outward through a joint.
 #[derive(Clone, Debug)]
 pub(super) struct VelocityOutward {
     pub(super) velocity: Velocity,
     is_root: bool,
     /// The same wherever motions enter, in the order of the way.
-    pub(super) at_motions: Vec<Velocity>,
+    pub(super) at_motions: Vec<AtMotions>,
 }
 
 /// Of each link, in its own axes.
@@ -54,17 +61,21 @@ impl Passenger for VelocityOutward {
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        let [w, v] = self.velocity.map(|v| rotation.forward(graph, v));
+        let before = self.velocity;
+        let [w, v] = before.map(|v| rotation.forward(graph, v));
         let own = drive.speeds(graph);
         self.velocity = [graph.add_vectors(w, own), v];
-        self.at_motions.push(self.velocity);
+        let after = self.velocity;
+        self.at_motions.push(AtMotions { before, after });
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        let before = self.velocity;
         if !self.is_root {
             let own = speeds(graph, motions);
             self.velocity[1] = graph.add_vectors(self.velocity[1], own);
         }
-        self.at_motions.push(self.velocity);
+        let after = self.velocity;
+        self.at_motions.push(AtMotions { before, after });
     }
 }
