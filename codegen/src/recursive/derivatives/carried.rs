@@ -80,34 +80,19 @@ impl Carried<'_, '_> {
         }
     }
 
-    /// Rows and mirrored entries of motions that enter together, of which the columns began last.
+    /// Rows and mirrored entries of motions that enter together, off the columns of others.
     fn read(&mut self, graph: &mut ExprGraph, readers: &[Reader]) {
-        let n_begun = match self.begins {
-            Begins::Here(_) => readers.len(),
-            Begins::Nowhere | Begins::Later(_) => 0,
-        };
-        let first = self.columns.len() - n_begun;
         let Self { columns, found, .. } = self;
         for reader in readers {
-            for (i, column) in columns.iter().enumerate() {
+            for column in columns.iter() {
                 let own = &column.carrying;
                 let row = [reader.motion, own.motion];
                 let mirrored = [own.motion, reader.motion];
                 let momentum = own.momentum.read(reader.place);
                 let [needed, moved] = column.needed(reader.place);
                 speed_matrix::add(graph, &mut found.by_u, row, needed);
-                // Of its own column the force by the coordinate is read where it begins.
-                let displaced = if own.motion == reader.motion && i >= first {
-                    moved
-                } else {
-                    reader.displaced(graph, own)
-                };
+                let displaced = reader.displaced(graph, own);
                 speed_matrix::add(graph, &mut found.by_q, mirrored, displaced);
-                if i >= first {
-                    // Each of them meets each other.
-                    speed_matrix::add(graph, &mut found.by_u_dot, row, momentum);
-                    continue;
-                }
                 let a = &mut found.by_u_dot;
                 speed_matrix::add_mirrored(graph, a, row, momentum, false);
                 speed_matrix::add(graph, &mut found.by_q, row, moved);
@@ -115,6 +100,68 @@ impl Carried<'_, '_> {
                 speed_matrix::add(graph, &mut found.by_u, mirrored, driven);
             }
         }
+    }
+
+    /// What motions that enter together make of the columns that begin with them: each meets each other.
+    fn read_begun(
+        &mut self,
+        graph: &mut ExprGraph,
+        readers: &[Reader],
+        begun: &[DerivativeColumn],
+    ) {
+        let found = &mut *self.found;
+        for reader in readers {
+            for column in begun {
+                let own = &column.carrying;
+                let row = [reader.motion, own.motion];
+                let [needed, moved] = column.needed(reader.place);
+                speed_matrix::add(graph, &mut found.by_u, row, needed);
+                // Of its own column the force by the coordinate is read where it begins.
+                let displaced = if own.motion == reader.motion {
+                    moved
+                } else {
+                    reader.displaced(graph, own)
+                };
+                let mirrored = [own.motion, reader.motion];
+                speed_matrix::add(graph, &mut found.by_q, mirrored, displaced);
+                let momentum = own.momentum.read(reader.place);
+                speed_matrix::add(graph, &mut found.by_u_dot, row, momentum);
+            }
+        }
+    }
+
+    /// Begins the columns of turns that enter together, and reads them; `own` is the angular velocity that enters with them, where that
+    /// has several components.
+    fn begin(&mut self, graph: &mut ExprGraph, at: &At, readers: &[Reader], own: Option<Vector>) {
+        let (start, is_hinge) = (self.start(at), own.is_none());
+        let own = own.unwrap_or_else(|| graph.zero_vector());
+        let begun = readers
+            .iter()
+            .filter_map(|reader| self.begins.turn(graph, &start, (reader, own), is_hinge));
+        let begun: Vec<DerivativeColumn> = begun.collect();
+        self.read_begun(graph, readers, &begun);
+        self.columns.extend(begun);
+    }
+
+    /// All of it to the axes before a rotation, seen from there.
+    fn turn_back(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        if let Drive::Angle(axis, _) = drive {
+            let at = (self.body, axis);
+            let shortcut = self.shortcuts.send(graph, at, self.columns.iter_mut());
+            for column in &mut self.columns {
+                column.before_turn(graph, axis, shortcut);
+            }
+        }
+        for column in &mut self.columns {
+            column.turn(graph, rotation);
+        }
+        graph.enter(self.body);
+        self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
+        let w = drive.speeds(graph);
+        let w = doubled(graph, w);
+        self.rates = self
+            .rates
+            .undriven(graph, &mut self.moments, rotation, (drive, w));
     }
 }
 
@@ -135,42 +182,31 @@ impl Passenger for Carried<'_, '_> {
         if self.step < self.entry {
             return;
         }
-        let own = match drive {
-            Drive::AngularVelocity(_) => drive.speeds(graph),
-            Drive::Nothing | Drive::Angle(..) => graph.zero_vector(),
+        let own = matches!(drive, Drive::AngularVelocity(_)).then(|| drive.speeds(graph));
+        let entering = own.unwrap_or_else(|| graph.zero_vector());
+        let readers = |graph: &mut ExprGraph, at: &At| {
+            let motions = drive.motions().into_iter().enumerate();
+            let motions = motions.filter_map(|(axis, motion)| Some((axis, motion?)));
+            let readers =
+                motions.map(|(axis, motion)| Reader::of_turn(graph, motion, axis, at, entering));
+            readers.collect::<Vec<Reader>>()
         };
-        let motions = drive.motions().into_iter().enumerate();
-        let motions = motions.filter_map(|(axis, motion)| Some((axis, motion?)));
-        let readers: Vec<Reader> = motions
-            .map(|(axis, motion)| Reader::of_turn(graph, motion, axis, &at, own))
-            .collect();
-        let start = self.start(&at);
-        for reader in &readers {
-            let is_hinge = matches!(drive, Drive::Angle(..));
-            let column = self.begins.turn(graph, &start, (reader, own), is_hinge);
-            self.columns.extend(column);
+        let after = readers(graph, &at);
+        if self.step > self.entry {
+            self.read(graph, &after);
+        }
+        if at.before.is_none() {
+            self.begin(graph, &at, &after, own);
         }
         if self.step > self.entry {
-            self.read(graph, &readers);
             self.send(graph);
         }
-        if let Drive::Angle(axis, _) = drive {
-            let at = (self.body, axis);
-            let shortcut = self.shortcuts.send(graph, at, self.columns.iter_mut());
-            for column in &mut self.columns {
-                column.before_turn(graph, axis, shortcut);
-            }
+        self.turn_back(graph, rotation, drive);
+        if let Some(before) = at.before {
+            let at = before.at();
+            let before = readers(graph, &at);
+            self.begin(graph, &at, &before, own);
         }
-        for column in &mut self.columns {
-            column.turn(graph, rotation);
-        }
-        graph.enter(self.body);
-        self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
-        let w = drive.speeds(graph);
-        let w = doubled(graph, w);
-        self.rates = self
-            .rates
-            .undriven(graph, &mut self.moments, rotation, (drive, w));
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
@@ -183,12 +219,14 @@ impl Passenger for Carried<'_, '_> {
         let readers: Vec<Reader> = moving
             .map(|(axis, motion)| Reader::of_shift(graph, motion, axis, &at))
             .collect();
-        let start = self.start(&at);
-        for reader in &readers {
-            let column = self.begins.shift(graph, &start, reader);
-            self.columns.extend(column);
-        }
         self.read(graph, &readers);
+        let start = self.start(&at);
+        let begun = readers
+            .iter()
+            .filter_map(|reader| self.begins.shift(graph, &start, reader));
+        let begun: Vec<DerivativeColumn> = begun.collect();
+        self.read_begun(graph, &readers, &begun);
+        self.columns.extend(begun);
         self.send(graph);
         graph.enter(self.body);
         let own = speeds(graph, motions);

@@ -22,6 +22,29 @@ pub(super) struct At {
     pub(super) after: LinkMotion,
     /// Twice the velocity of the origin, of which only what joints beyond the root add is there.
     pub(super) v: Vector,
+    /// Before the rotation of an angle, if its column begins there: the lower link turns more slowly, and what is carried is as dense
+    /// on both sides. What a link is alone has fewer numbers after it.
+    pub(super) before: Option<Before>,
+}
+
+/// How a lower link moves, along the axes before a rotation.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Before {
+    motion: LinkMotion,
+    v: Vector,
+}
+
+impl Before {
+    /// There nothing has entered yet, and about the axis of an angle nothing that is asked for is missing.
+    pub(super) fn at(self) -> At {
+        let Self { motion, v } = self;
+        At {
+            lower: motion,
+            after: motion,
+            v,
+            before: None,
+        }
+    }
 }
 
 /// The way outward through a joint.
@@ -29,6 +52,8 @@ struct Way<'a> {
     moving: Moving<'a>,
     v: Vector,
     is_root: bool,
+    /// True where the link carries others.
+    carries: bool,
     /// In the order of the way.
     at_motions: Vec<At>,
 }
@@ -61,6 +86,7 @@ pub(super) fn ways(
             moving: Moving::new(graph, motion, base, accelerations),
             v: lower.map_or_else(|| graph.zero_vector(), |lower| lower.v),
             is_root: lower.is_none(),
+            carries: !tree.uppers(body).is_empty(),
             at_motions: Vec::new(),
         };
         linkage.passages[body].outward(graph, &mut way);
@@ -82,6 +108,12 @@ impl Passenger for Way<'_> {
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         let Moving { w, alpha, .. } = self.moving;
+        let begins_before =
+            matches!(drive, Drive::Angle(..)) && self.carries && !graph.is_zero_vector(w);
+        let before = begins_before.then(|| Before {
+            motion: self.moving.reached(graph),
+            v: self.v,
+        });
         self.v = rotation.forward(graph, self.v);
         self.moving.turn(graph, rotation, drive);
         let after = self.moving.reached(graph);
@@ -93,7 +125,12 @@ impl Passenger for Way<'_> {
             after
         };
         let v = self.v;
-        self.at_motions.push(At { lower, after, v });
+        self.at_motions.push(At {
+            lower,
+            after,
+            v,
+            before,
+        });
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
@@ -106,7 +143,12 @@ impl Passenger for Way<'_> {
         self.moving.along(graph, motions);
         let after = lower;
         let v = self.v;
-        self.at_motions.push(At { lower, after, v });
+        self.at_motions.push(At {
+            lower,
+            after,
+            v,
+            before: None,
+        });
     }
 }
 
