@@ -100,30 +100,26 @@ impl Diagnostics {
 }
 
 impl fmt::Display for Diagnostics {
-    /// All faults, an empty line between two; of more than a hundred errors, or others, the first hundred.
+    /// All of them in full, an empty line between two. Beside errors, warnings and notes come first, a line a kind. Of more than a
+    /// hundred the first hundred.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (mut n_errors, mut n_others) = (0, 0);
-        for diagnostic in &self.list {
-            let n_before = n_errors.min(MOST_SHOWN) + n_others.min(MOST_SHOWN);
-            let n_of_kind = match diagnostic.severity {
-                Severity::Error => &mut n_errors,
-                Severity::Warning | Severity::Note => &mut n_others,
-            };
-            *n_of_kind += 1;
-            if *n_of_kind <= MOST_SHOWN {
-                let space = if n_before == 0 { "" } else { "\n\n" };
-                write!(f, "{space}{}", diagnostic.render(&self.source))?;
-            }
+        let has_error = self.has_error();
+        let mut paragraphs = Vec::new();
+        if has_error {
+            let lines = self.brief().lines.into_iter();
+            let lines: Vec<String> = lines.map(|(_, line)| line).collect();
+            paragraphs.extend((!lines.is_empty()).then(|| lines.join("\n")));
         }
-        let n_shown = n_errors.min(MOST_SHOWN) + n_others.min(MOST_SHOWN);
-        match self.list.len() - n_shown {
-            0 => Ok(()),
-            more => write!(
-                f,
-                "\n\n{}: {more} more faults are not shown",
-                self.source.name()
-            ),
+        let in_full = self.list.iter();
+        let in_full = in_full.filter(|one| !has_error || one.severity == Severity::Error);
+        let n_hidden = in_full.clone().count().saturating_sub(MOST_SHOWN);
+        let shown = in_full.take(MOST_SHOWN);
+        paragraphs.extend(shown.map(|one| one.render(&self.source)));
+        if n_hidden > 0 {
+            let name = self.source.name();
+            paragraphs.push(format!("{name}: {n_hidden} more faults are not shown"));
         }
+        f.write_str(&paragraphs.join("\n\n"))
     }
 }
 

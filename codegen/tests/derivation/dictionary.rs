@@ -62,7 +62,22 @@ fn unknown_names_are_met_with_advice() {
     ] {
         assert_eq!(advice(name), format!("did you mean `{request}`?"));
     }
-    assert_eq!(advice("all"), "it stands alone");
+    assert_eq!(
+        advice("all"),
+        "it means several functions, and stands alone where several can be asked for"
+    );
+    assert!(
+        advice("getFrameAcceleration")
+            .ends_with("that of Pinocchio's spatial acceleration is less by `ω × v`")
+    );
+    assert_eq!(
+        advice("nle"),
+        "here it is called `bias`, of which springs and dampers are part"
+    );
+    assert_eq!(
+        advice("angular_jacobian"),
+        "did you mean `jacobian(FRAME)`?"
+    );
     assert_eq!(advice("defualt"), "did you mean `default`?");
     assert!(advice("spatial_jacobian").ends_with("none is about the inertial origin"));
     assert_eq!(

@@ -1,7 +1,7 @@
 //! What to say to those who look for a name that we do not have, perhaps another tool's.
 
 use super::{
-    elsewhere::{NO_FUNCTIONS, OPERATORS, REQUESTS, RUNTIME, VARIABLES},
+    elsewhere::{NO_FUNCTIONS, OPERATORS, REMARKS, REQUESTS, RUNTIME, VARIABLES},
     generated_name,
 };
 use crate::{
@@ -49,7 +49,9 @@ fn plain(name: &str) -> String {
 pub fn advice(name: &str) -> String {
     let words = words(name);
     if let Some(request) = elsewhere(name) {
-        format!("here it is called `{request}`")
+        let remark =
+            found(&REMARKS, &words).map_or_else(String::new, |remark| format!(", {remark}"));
+        format!("here it is called `{request}`{remark}")
     } else if let Some(operator) = found(&OPERATORS, &words) {
         format!("expected `{operator}`, of a function `F` by variables `X`")
     } else if let Some(module) = found(&RUNTIME, &words) {
@@ -63,7 +65,7 @@ pub fn advice(name: &str) -> String {
     } else if is_list(name) {
         "functions stand with commas between them".to_owned()
     } else if ["all", "default"].contains(&name) {
-        "it stands alone".to_owned()
+        "it means several functions, and stands alone where several can be asked for".to_owned()
     } else if let Some(near) = nearest(name, &known()) {
         format!("did you mean `{near}`?")
     } else if name.contains(['(', '+']) {

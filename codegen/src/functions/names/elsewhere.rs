@@ -2,7 +2,7 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, and other names of the same.
-pub(super) const REQUESTS: [(&str, &[&str]); 46] = [
+pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
     (
         "inverse_dynamics",
         &["rnea", "rne", "id", "newtoneuler", "mjinverse"],
@@ -17,6 +17,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 46] = [
             "inertiamatrix",
             "jointspaceinertia",
             "mjfullm",
+            "mjcrb",
         ],
     ),
     (
@@ -66,6 +67,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 46] = [
             "placement",
             "transform",
             "omf",
+            "orientation",
             "xpos",
             "xmat",
             "sitexpos",
@@ -165,6 +167,8 @@ pub(super) const REQUESTS: [(&str, &[&str]); 46] = [
             "delassusmatrix",
             "efcar",
             "operationalspaceinverseinertia",
+            "osim",
+            "jminvjt",
         ],
     ),
     ("imu(FRAME)", &["accelerometer", "gyro"]),
@@ -207,8 +211,8 @@ pub(super) const REQUESTS: [(&str, &[&str]); 46] = [
         "kinetic_energy+potential_energy",
         &["energy", "totalenergy"],
     ),
-    ("kinetic_energy", &["mjenergyvel"]),
-    ("potential_energy", &["mjenergypos"]),
+    ("kinetic_energy", &["mjenergyvel", "ke"]),
+    ("potential_energy", &["mjenergypos", "pe"]),
     ("normalize", &["mjnormalizequat"]),
     (
         "regressor",
@@ -227,7 +231,28 @@ pub(super) const REQUESTS: [(&str, &[&str]); 46] = [
         "base_parameters",
         &["minimalparameters", "baseinertialparameters"],
     ),
-    ("joint_wrenches", &["dataf", "cfrcint"]),
+    ("base_regressor", &["minimalregressor", "reducedregressor"]),
+    ("hybrid_dynamics", &["hybrid", "hybridaba", "fdab"]),
+    (
+        "centroidal_momentum_matrix_dot_u",
+        &[
+            "dccrba",
+            "dag",
+            "momentumrate",
+            "centroidalmomentumtimevariation",
+        ],
+    ),
+    (
+        "joint_wrenches",
+        &[
+            "dataf",
+            "cfrcint",
+            "reaction",
+            "reactions",
+            "reactionforces",
+            "jointreactions",
+        ],
+    ),
     (
         "d(inverse_dynamics)/d(q, u, u_dot)",
         &[
@@ -248,6 +273,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 46] = [
             "dfddq",
             "dfddu",
             "dfddtau",
+            "fdderivatives",
             "mjdtransitionfd",
         ],
     ),
@@ -275,6 +301,26 @@ pub(super) const REQUESTS: [(&str, &[&str]); 46] = [
     (
         "hessian(inverse_dynamics; q, u, u_dot)",
         &["rneasecondorderderivatives", "idsvaso"],
+    ),
+];
+
+/// What to say beside the request, of names that mean something a little different.
+pub(super) const REMARKS: [(&str, &[&str]); 4] = [
+    (
+        "whose linear part is the acceleration of the frame's origin; that of Pinocchio's spatial acceleration is less by `ω × v`",
+        &["frameacceleration", "frameaccelerationderivatives"],
+    ),
+    (
+        "of which springs and dampers are part",
+        &["nle", "nonlineareffects", "qfrcbias", "mjrne"],
+    ),
+    (
+        "of all bodies; there is none of a subtree",
+        &["subtreecom", "subtreelinvel", "mjjacsubtreecom"],
+    ),
+    (
+        "of a system in which `prescribed` names joints",
+        &["hybrid", "hybridaba", "fdab"],
     ),
 ];
 
@@ -333,7 +379,7 @@ pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
 ];
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 14] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 17] = [
     (
         "`jacobian(FRAME)` is about the frame's origin, along inertial axes; none is about the inertial origin",
         &["spatialjacobian"],
@@ -394,6 +440,15 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 14] = [
         &["impliciteuler", "implicitmidpoint", "collocation"],
     ),
     (
+        "a projector follows from `jacobian(FRAME)` and `mass_matrix_inverse`: `1 - J^T (J M^-1 J^T)^-1 J M^-1`",
+        &["nullspace", "nullspaceprojector"],
+    ),
+    (
+        "`pose(FRAME)` writes a rotation matrix; `kane::rotation` makes rotation vectors of it",
+        &["quaternion", "rpy", "eulerangles"],
+    ),
+    ("`kane info MODEL` prints the masses", &["totalmass"]),
+    (
         "multiply what `hessian(F; X)` writes by the vector",
         &["hvp", "hessianvectorproduct"],
     ),
@@ -408,13 +463,21 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 14] = [
 ];
 
 /// Kinds of Jacobians and the like, which are no frames though they stand where a frame could.
-pub(super) const NO_FRAMES: [&str; 6] = [
+pub(super) const NO_FRAMES: [&str; 14] = [
     "analytic",
     "analytical",
+    "angular",
+    "bias",
+    "body",
+    "classical",
     "contact",
     "frame",
     "geometric",
+    "linear",
+    "point",
+    "relative",
     "spatial",
+    "world",
 ];
 
 /// Our variables, and other names of the same.

@@ -26,7 +26,9 @@ pub struct Joint {
     pub body_axes: Rotation,
     /// From the lower body's origin to where the joint sits, the lower body's axes, m; at the nominal values.
     pub position: [f64; 3],
-    /// What moves that at run time.
+    /// From the body's origin to the joint, as it moves with the body, the body's axes, m; at the nominal values.
+    pub body_position: [f64; 3],
+    /// What moves `position` at run time.
     pub moved: Vec<Moved>,
     /// What follows another joint.
     pub mimic: Option<Mimic>,
@@ -105,6 +107,7 @@ impl Joint {
             axes: seat.rotation_from(&lower, tree.snap),
             body_axes: transposed(&pose.rotation),
             position: seat.position_from(&lower, &tree.parameters),
+            body_position: Pose::internal().position_from(pose, &tree.parameters),
             moved: moved(tree, &seat, &lower),
             mimic: Mimic::of(tree, joint),
             locked: locked(joint),

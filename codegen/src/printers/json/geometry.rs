@@ -18,6 +18,7 @@ pub(super) fn joint(joint: &Joint) -> String {
         ("axes", rotation(&joint.axes)),
         ("body_axes", rotation(&joint.body_axes)),
         ("position", vector(&joint.position)),
+        ("body_position", vector(&joint.body_position)),
     ];
     members.extend(moved_by(&joint.moved));
     members.extend(joint.mimic.as_ref().map(|own| ("mimic", mimic(own))));

@@ -145,7 +145,12 @@ fn locked(
                 let unit = if motion < 3 { "rad" } else { "m" };
                 let at = format!("`{kind}` of {shown} is locked at {value:?} {unit}");
                 let subject = format!("`{kind}` of {shown} at {value:?} {unit}");
+                let follows = description.bodies[body].joint.mimic.is_some();
                 findings.push(match beyond(description, (body, motion), *value) {
+                    None if follows => {
+                        Diagnostic::warning(format!("{at}, and follows no other joint any more"))
+                            .one_of("motions that followed others are locked", subject)
+                    }
                     None => Diagnostic::note(at).one_of("motions are locked", subject),
                     Some([lower, upper]) => Diagnostic::warning(format!(
                         "{at}, beyond its limits {lower:?} and {upper:?} {unit}"

@@ -259,7 +259,7 @@ fn parameter_joint_and_frame_are_a_line_each() {
     let text = robot(r#"["bias"]"#, "").read("legged.json");
     for line in [
         r#"    { "name": "base_mass", "nominal": 12.0, "unit": "kg" }"#,
-        r#"    { "name": "arm", "kind": null, "chart": "AngleRates", "q": [null, 7, null, null, 8, null, null], "u": [null, 6, null, 7, null, null], "axes": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "body_axes": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "position": [0.2, 0.0, -1.0] }"#,
+        r#"    { "name": "arm", "kind": null, "chart": "AngleRates", "q": [null, 7, null, null, 8, null, null], "u": [null, 6, null, 7, null, null], "axes": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "body_axes": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "position": [0.2, 0.0, -1.0], "body_position": [0.0, 0.0, 0.0] }"#,
         r#"    { "name": "tool", "identifier": "tool", "body": 1, "rotation": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "position": [0.0, 0.0, -0.75] }"#,
         r#"    "UPPER_LIMITS": [null, null, null, null, null, null, null, 2.0, 0.125],"#,
     ] {
