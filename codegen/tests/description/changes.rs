@@ -57,6 +57,22 @@ fn joint_that_is_locked_beyond_its_limits_is_told() {
 }
 
 #[test]
+fn joint_that_follows_another_and_is_locked_is_told() {
+    let free = "joint = [\"theta1\"]";
+    let follower =
+        "joint = [\"theta1\"]\nmimic = { joint = \"a\", multiplier = 2.0, offset = 0.1 }";
+    let description = chain([free, follower, free]);
+    let checked = tree::build_with(&description, &lock("b", 0.2)).unwrap();
+    let brief = checked.warnings.brief();
+    assert_eq!(
+        brief.lines[0].1,
+        "warning: model.toml: `theta1` of body `b` is locked at 0.2 rad, and follows no other joint any more"
+    );
+    // What it followed stays free.
+    assert_eq!(checked.tree.n_speeds, 2);
+}
+
+#[test]
 fn what_follows_a_locked_joint_holds_at_the_locked_coordinate() {
     let joints = [
         "joint = [\"theta3\"]\nlocked = { theta1 = 0.5 }",
