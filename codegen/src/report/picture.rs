@@ -129,7 +129,8 @@ fn line(tree: &Tree, id: BodyId, coordinates: &[String]) -> String {
                 let plus = if offset == 0.0 {
                     String::new()
                 } else {
-                    format!(" + {offset:?}")
+                    let sign = if offset < 0.0 { '-' } else { '+' };
+                    format!(" {sign} {:?}", offset.abs())
                 };
                 let is = if is_single { ", as" } else { " =" };
                 free.push(format!("{axis}{is} {multiplier:?} {other}{plus}"));

@@ -234,6 +234,28 @@ fn parameters_are_nominal_unless_the_state_says_otherwise() {
 }
 
 #[test]
+fn directions_of_parameters_are_given_by_names_or_in_order() {
+    let project = Project::empty();
+    project.write("arm.toml", &model("arm", "{ runtime = 2.0 }"));
+    let along = |direction: &str| {
+        let state = format!(r#"{{"q": [0.3, 0, 0], "parameters_direction": {direction}}}"#);
+        let request = "jvp(potential_energy; parameters)";
+        let arguments = ["eval", "arm.toml", "--function", request, "--state", "-"];
+        project.kane_given(&arguments, &state)
+    };
+    let named = along(r#"{"upper_mass": 3.0}"#);
+    assert_eq!(named.code, 0, "{named:?}");
+    assert_eq!(named.out, along("[3.0]").out);
+    let unknown = along(r#"{"lower_mass": 3.0}"#);
+    assert!(
+        unknown
+            .err
+            .contains("names none of the values set at run time"),
+        "{unknown:?}"
+    );
+}
+
+#[test]
 fn rates_of_angles_are_taken_from_relative_angular_velocities() {
     let project = Project::empty();
     project.write(

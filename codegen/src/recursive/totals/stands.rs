@@ -92,6 +92,7 @@ pub(super) struct Stands {
 }
 
 impl Stands {
+    /// As the plan of the links has it.
     pub(super) fn new(graph: &mut ExprGraph, linkage: &Linkage<'_>, wanted: Wanted) -> Self {
         let Linkage {
             tree, links, plan, ..

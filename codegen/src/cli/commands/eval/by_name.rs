@@ -33,6 +33,11 @@ impl Places {
                 let bodies = tree.bodies.iter().map(|body| body.name.clone());
                 (alone(bodies.collect()), "bodies")
             }
+            Dimension::Values => {
+                let parameters = tree.parameters.iter();
+                let names = parameters.map(|parameter| parameter.name.clone());
+                (alone(names.collect()), "values set at run time")
+            }
             _ => return None,
         };
         let otherwise = if argument == Argument::Q {

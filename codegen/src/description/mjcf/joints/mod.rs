@@ -263,9 +263,11 @@ fn rotating(
                 given.what(name)
             );
             let fault = Diagnostic::error(message).at(value.span, "expected 0");
-            reader
-                .faults
-                .push(fault.help("describe the orientation by a quaternion"));
+            reader.faults.push(
+                fault.help(
+                    "with `chart = \"quaternion\"`, the default, the speeds are its components",
+                ),
+            );
         }
     }
 }
