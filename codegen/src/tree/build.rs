@@ -81,7 +81,7 @@ pub fn build_with(description: &Description, changes: &Changes) -> Result<Checke
         let held = changes.remove_massless && bodies_stand;
         let held = held.then(|| massless::hold(settled, &mut findings));
         let joints = held.as_deref().unwrap_or(joints);
-        if changes.remove_massless && !motions_stand(description, joints, &mut findings) {
+        if changes.remove_massless && !motions_stand(description, joints, changes, &mut findings) {
             return None;
         }
         let settled = Settled { joints, ..settled };
@@ -148,7 +148,8 @@ fn joints_that_stand(
     }
     let joints = joints::change(description, joints, changes, findings);
     let joints = joints::follow(description, joints, findings);
-    let all_held = changes.remove_massless || motions_stand(description, &joints, findings);
+    let all_held =
+        changes.remove_massless || motions_stand(description, &joints, changes, findings);
     (all_held && stand(findings)).then_some(joints)
 }
 
@@ -156,9 +157,10 @@ fn joints_that_stand(
 fn motions_stand(
     description: &Description,
     joints: &[ResolvedJoint],
+    changes: &Changes,
     findings: &mut Vec<Diagnostic>,
 ) -> bool {
     let before = findings.len();
-    joints::check_motions(description, joints, findings);
+    joints::check_motions(description, joints, changes, findings);
     !findings[before..].iter().any(Diagnostic::is_error)
 }

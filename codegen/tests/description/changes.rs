@@ -1,7 +1,7 @@
 //! Joints that are locked or removed when a tree is built.
 
 use kane_codegen::description::{Description, toml};
-use kane_codegen::diagnostic::Source;
+use kane_codegen::diagnostic::{Severity, Source};
 use kane_codegen::tree::{self, Changes, Tree};
 
 use kane_test_support::models::body;
@@ -70,6 +70,22 @@ fn joint_that_follows_another_and_is_locked_is_told() {
     );
     // What it followed stays free.
     assert_eq!(checked.tree.n_speeds, 2);
+}
+
+#[test]
+fn joints_that_are_all_locked_are_told_why_nothing_moves() {
+    let fixed = "joint = []";
+    let description = chain(["joint = [\"theta1\"]", fixed, fixed]);
+    let found = tree::build_with(&description, &lock("a", 0.2)).unwrap_err();
+    let errors = found
+        .list()
+        .iter()
+        .filter(|one| one.severity == Severity::Error);
+    let helps: Vec<Option<&str>> = errors.map(|one| one.help.as_deref()).collect();
+    assert_eq!(
+        helps,
+        [Some("`lock` and `remove` hold all that could move")]
+    );
 }
 
 #[test]

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::description::{Chart, CoordinateName, Description, Speeds, WrittenBody, urdf};
 use crate::diagnostic::{Diagnostic, Span};
+use crate::tree::changes::Changes;
 use crate::tree::joints::mechanics_rules::mechanics;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 use crate::tree::names::shown;
@@ -33,6 +34,7 @@ pub(crate) fn check(
 pub(crate) fn check_motions(
     description: &Description,
     joints: &[ResolvedJoint],
+    changes: &Changes,
     findings: &mut Vec<Diagnostic>,
 ) {
     let bodies = &description.bodies;
@@ -49,8 +51,11 @@ pub(crate) fn check_motions(
         let fault = joints.fold(fault, |fault, joint| {
             fault.at(joint.span, "no free coordinate")
         });
+        let is_held = !(changes.lock.is_empty() && changes.remove.is_empty());
         // A TOML says itself how its first body hangs, and so does an MJCF.
-        findings.push(if urdf::is_urdf(&description.source) {
+        findings.push(if is_held {
+            fault.help("`lock` and `remove` hold all that could move")
+        } else if urdf::is_urdf(&description.source) {
             fault.help("with `--base free`, or `base = \"free\"` in `kane.toml`, the root link is free to move")
         } else {
             fault
