@@ -317,7 +317,7 @@ impl Search<'_> {
             Technique::Regroup | Technique::Balance | Technique::SecondMoments => {
                 self.request.reads_inertias()
             }
-            Technique::Weights => self.request.is_at_rest(),
+            Technique::Weights => self.request.weighs(),
             Technique::Articulated => self.factors_have_a_chance(),
             Technique::LinkAxes | Technique::Fall => self.request.solves(),
             Technique::Carriers => self.request.inverts(),

@@ -19,7 +19,7 @@ use super::{
 /// How many times as much as the other a sweep may build beyond [`MOST_NODES`]: what entries have in common never makes up for more.
 const MOST_TIMES: usize = 8;
 
-/// How many times as much as the cheapest a way may cost before its sums are factored, which hardly ever halves a long count.
+/// How many operations a way may have before its sums are factored, times the cost of the cheapest: that hardly ever halves a long count.
 const MOST_FACTORED: usize = 2;
 
 /// Up to this count a way is compared as it is in the end: of few operations most may go.
@@ -67,7 +67,7 @@ pub(super) fn fewest(
     // The last is the most promising.
     for arrangement in arrangements.into_iter().rev() {
         let derived = request.derive_arranged(tree, &arrangement);
-        // Sines are not given yet, and cost nothing here.
+        // Sines that are to be given are computed here yet: each counts as one operation, not as it costs.
         if operations(&derived).total() > SHORT.max(least.saturating_mul(MOST_FACTORED)) {
             continue;
         }

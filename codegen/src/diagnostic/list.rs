@@ -100,7 +100,7 @@ impl Diagnostics {
 }
 
 impl fmt::Display for Diagnostics {
-    /// All of them in full, an empty line between two. Beside errors, warnings and notes come first, a line a kind. Of more than a
+    /// Errors in full, after warnings and notes, a line a kind; without errors, all in full. An empty line between two; of more than a
     /// hundred the first hundred.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let has_error = self.has_error();

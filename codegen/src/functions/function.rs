@@ -40,6 +40,8 @@ pub struct Function {
     pub is_default: bool,
     /// What of the mass matrix it takes beyond its entries.
     pub(super) mass_matrix: MassMatrixUse,
+    /// True where weights may pass inward in the place of masses.
+    pub(super) weighs: bool,
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
@@ -110,6 +112,7 @@ pub(super) const PLAIN: Function = Function {
     outputs: &[],
     is_default: false,
     mass_matrix: MassMatrixUse::None,
+    weighs: false,
     prescribes: false,
     derivatives: None,
     derivatives_tell: &[],
@@ -188,11 +191,6 @@ impl Function {
         let mut arguments = self.arguments.iter();
         self.of != Of::System
             && arguments.all(|argument| matches!(argument, Argument::Q | Argument::Point))
-    }
-
-    /// True where nothing moves: gravity may count alone of what acts on bodies.
-    pub(super) fn is_at_rest(&self) -> bool {
-        self.reads_inertias() && self.arguments.iter().all(|one| *one == Argument::Q)
     }
 
     /// True for vectors along inertial axes by speeds, of all bodies together.

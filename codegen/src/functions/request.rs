@@ -64,8 +64,8 @@ impl Request {
     }
 
     /// True where a plan may choose what stands for weight.
-    pub fn is_at_rest(&self) -> bool {
-        self.functions().any(Function::is_at_rest)
+    pub fn weighs(&self) -> bool {
+        self.functions().any(|function| function.weighs)
     }
 
     /// True where a plan may choose which links' columns go to inertial axes at once.

@@ -85,6 +85,19 @@ impl Facts {
         constants
     }
 
+    /// All constants whose names and places other languages have, in one list; those of prescribed motions apart.
+    pub fn all_constants(&self) -> Vec<Constant<'_>> {
+        let patterns = self.patterns.iter();
+        let patterns = patterns.flat_map(|pattern| self.pattern_constants(pattern));
+        [
+            self.constants(),
+            self.angle_constants(),
+            self.output_constants(),
+            patterns.collect(),
+        ]
+        .concat()
+    }
+
     /// Who is who, and where.
     fn tree(&self) -> Vec<Constant<'_>> {
         let lower = self.bodies.iter();

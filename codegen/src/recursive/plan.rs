@@ -27,8 +27,8 @@ pub enum Technique {
     Shortcut,
     /// Where a frame is, and its Jacobian's columns, pass inward from it, and not outward from the inertial frame.
     Inward,
-    /// Where they do not, levers pass inward beside axes that pass outward, and are not added up from steps along these axes. The
-    /// inertial axes pass outward to two columns of all bodies' momentum, and not to three alone.
+    /// Where they do not, levers pass inward beside axes that pass outward, and are not added up from steps along these axes. With
+    /// `Shortcut`, two columns of all bodies' momentum leave a link for inertial axes at once, and not three alone.
     Levers,
     /// Where nothing but weight counts and gravity is constant along an axis, weights pass inward, and not masses.
     Weights,

@@ -15,7 +15,7 @@ use kane_codegen::{
     geometry,
     program::Operations,
     recursive::{Plan, Technique},
-    tree::{self, Tree},
+    tree::{self, CoordinateKind, Tree},
 };
 use kane_test_support::compare::{Tolerance, assert_close};
 use kane_test_support::systems::{self, RandomSystem, Sizes, Style, trees::share};
@@ -311,6 +311,66 @@ fn agrees_with_the_notes(tree: &Tree) {
             let found = values(Formulation::Recursive, &plan);
             // Some hundred roundings, and a condition below a thousand.
             assert_close(function, &found, &expected, Tolerance::relative(1e-12));
+        }
+    }
+}
+
+#[test]
+fn what_momenta_and_weights_may_choose_leaves_their_values() {
+    let upward = |gravity: &str, seed: u64| {
+        let sizes = Sizes {
+            bodies: 5,
+            speeds: 9,
+        };
+        let style = if seed.is_multiple_of(2) {
+            Style::Plain
+        } else {
+            Style::Framed
+        };
+        let text = RandomSystem::new(500 + seed, sizes, style).toml();
+        let lines = text.lines().map(|line| match line.split_once(" = ") {
+            Some(("gravity", _)) => format!("gravity = {gravity}\n"),
+            _ => format!("{line}\n"),
+        });
+        systems::tree(&lines.collect::<String>()).unwrap()
+    };
+    let mut trees = vec![robot("solo12", Base::Free), robot("gripper", Base::Fixed)];
+    trees.extend((0..6).map(|seed| upward("[0.0, 0.0, -9.81]", seed)));
+    trees.extend((6..12).map(|seed| upward("[0.0, 9.81, 0.0]", seed)));
+    for tree in &trees {
+        let mut q = vec![0.0; tree.coordinate_names().len()];
+        for (kind, id) in tree.bodies.iter().flat_map(|body| body.joint.coordinates()) {
+            q[id.index()] = match kind {
+                CoordinateKind::EulerParameter(place) => [0.1, -0.7, 0.5, 0.5][place],
+                _ => 0.3 + 0.4 * id.index() as f64,
+            };
+        }
+        for function in [
+            "gravity_forces",
+            "potential_energy",
+            "center_of_mass_jacobian",
+            "centroidal_momentum_matrix",
+        ] {
+            let request = request(function);
+            let state = |input: Input| match input {
+                Input::Q(id) => q[id.index()],
+                _ => 0.7,
+            };
+            let values = |formulation, plan: &Plan| {
+                let derived = request.derive(tree, formulation, plan);
+                derived.graph.evaluate(&derived.roots, state)
+            };
+            let expected = values(Formulation::Notes, &Plan::plain(tree));
+            for choice in 0..8 {
+                let mut plan = Plan::full(tree);
+                plan.set(Technique::Shortcut, choice & 1 == 0);
+                plan.set(Technique::Levers, choice & 2 == 0);
+                plan.set(Technique::Weights, choice & 4 == 0);
+                let found = values(Formulation::Recursive, &plan);
+                let at = format!("{} {function} {choice}", tree.name);
+                // Some hundred roundings.
+                assert_close(&at, &found, &expected, Tolerance::relative(1e-12));
+            }
         }
     }
 }

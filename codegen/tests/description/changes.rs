@@ -70,6 +70,13 @@ fn joint_that_follows_another_and_is_locked_is_told() {
     );
     // What it followed stays free.
     assert_eq!(checked.tree.n_speeds, 2);
+    let limited = format!("{follower}\nlimits = {{ lower = -0.1, upper = 0.1 }}");
+    let checked = tree::build_with(&chain([free, &limited, free]), &lock("b", 0.2)).unwrap();
+    let line = &checked.warnings.brief().lines[0].1;
+    assert!(
+        line.ends_with("0.1 rad, and follows no other joint any more"),
+        "{line}"
+    );
 }
 
 #[test]

@@ -320,7 +320,7 @@ fn user_says_how_orientations_are_described() {
     2 |         <body name="a"><freejoint/></body><body name="b"><joint type="ball" damping="1"/></body>
       |                                                                                      ^ expected 0
       |
-      = help: with `chart = "quaternion"`, the default, the speeds are its components
+      = help: with `chart = "quaternion"`, the default, the speeds are components of the angular velocity
     "#);
 }
 

@@ -121,6 +121,11 @@ static const double CART_POLE_FRICTION[CART_POLE_NU] = {
     0.0
 };
 
+/// The names of the angles among the coordinates, in the order of `q`.
+static const char *const CART_POLE_ANGLE_NAMES[CART_POLE_NA] = {
+    "pole_theta2"
+};
+
 /// The fields of `Parameters`, in the order of its arrays and of the columns of derivatives by them.
 static const char *const CART_POLE_PARAMETER_NAMES[CART_POLE_PARAMETERS_LEN] = {
     "pole_mass"

@@ -117,6 +117,7 @@ pub(super) const GRAVITY_FORCES: Function = Function {
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
         "{tau}. Also known as gravity torque, generalized gravity, `g(q)`.",
     ],
+    weighs: true,
     derivation: either!(
         kane::dynamics::gravity_forces,
         recursive::forces::gravity::gravity_forces

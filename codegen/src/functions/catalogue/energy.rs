@@ -32,6 +32,7 @@ pub(super) const POTENTIAL_ENERGY: Function = Function {
     doc: &[
         "Potential energy, {energy}: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.",
     ],
+    weighs: true,
     derivation: either!(kane::energy::potential, totals::energy::potential),
     ..PLAIN
 };

@@ -305,7 +305,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
 ];
 
 /// What to say beside the request, of names that mean something a little different.
-pub(super) const REMARKS: [(&str, &[&str]); 4] = [
+pub(super) const REMARKS: [(&str, &[&str]); 6] = [
     (
         "whose linear part is the acceleration of the frame's origin; that of Pinocchio's spatial acceleration is less by `ω × v`",
         &["frameacceleration", "frameaccelerationderivatives"],
@@ -317,6 +317,14 @@ pub(super) const REMARKS: [(&str, &[&str]); 4] = [
     (
         "of all bodies; there is none of a subtree",
         &["subtreecom", "subtreelinvel", "mjjacsubtreecom"],
+    ),
+    (
+        "which is the matrix `A_G_dot` times `u`; there is none of the matrix alone",
+        &["dccrba", "dag"],
+    ),
+    (
+        "which is the rate for `u_dot = 0`: add `centroidal_momentum_matrix` times `u_dot`",
+        &["momentumrate", "centroidalmomentumtimevariation"],
     ),
     (
         "of a system in which `prescribed` names joints",

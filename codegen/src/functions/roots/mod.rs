@@ -1,4 +1,5 @@
-//! How functions are derived whose entries are not just what equations give: by the files of the catalogue, with what several of them use.
+//! How the entries of functions are derived that are not just what equations give: by the files of the catalogue, with what several of
+//! them use.
 //!
 //! In: a tree, and where there are two the way to associate sums over bodies. Out: the entries of all outputs, row-major, in the user's axes.
 

@@ -8,11 +8,8 @@ use crate::{
 
 /// The tables, in the order of the module's constants; what is empty is left out.
 pub(super) fn tables(facts: &Facts, prefix: &str) -> Vec<String> {
-    let mut constants = facts.constants();
-    constants.extend(facts.output_constants());
+    let mut constants = facts.all_constants();
     constants.extend(facts.prescribed_constant());
-    let patterns = facts.patterns.iter();
-    constants.extend(patterns.flat_map(|pattern| facts.pattern_constants(pattern)));
     let mut tables: Vec<String> = constants
         .iter()
         .filter_map(|constant| of(constant, prefix))
@@ -90,7 +87,9 @@ fn of(constant: &Constant<'_>, prefix: &str) -> Option<String> {
             return None;
         }
     };
-    (!entries.is_empty()).then(|| table(constant.doc, &declared, entries.into_iter()))
+    let is_truth = matches!(constant.data, Data::Truths(..));
+    let doc = constant.doc.to_owned() + if is_truth { " 1 is true, 0 false." } else { "" };
+    (!entries.is_empty()).then(|| table(&doc, &declared, entries.into_iter()))
 }
 
 const FRAME: &str = "\

@@ -21,15 +21,7 @@ const ELSEWHERE: [&str; 6] = [
 
 /// An object with a constant a line.
 pub(super) fn member(facts: &Facts) -> String {
-    let patterns = facts.patterns.iter();
-    let patterns = patterns.flat_map(|pattern| facts.pattern_constants(pattern));
-    let constants = [
-        facts.constants(),
-        facts.angle_constants(),
-        facts.output_constants(),
-        patterns.collect(),
-    ]
-    .concat();
+    let constants = facts.all_constants();
     let constants = constants.iter();
     let lines = constants.filter(|constant| !ELSEWHERE.contains(&constant.name));
     let lines: Vec<String> = lines.filter_map(line).collect();

@@ -22,8 +22,8 @@ pub(super) struct At {
     pub(super) after: LinkMotion,
     /// Twice the velocity of the origin, of which only what joints beyond the root add is there.
     pub(super) v: Vector,
-    /// Before the rotation of an angle, if its column begins there: the lower link turns more slowly, and what is carried is as dense
-    /// on both sides. What a link is alone has fewer numbers after it.
+    /// What is there before the rotation of an angle, if the column begins there: if what is below turns, and the link carries others.
+    /// One that carries none has fewer numbers along its own axes.
     pub(super) before: Option<Before>,
 }
 
@@ -35,7 +35,7 @@ pub(super) struct Before {
 }
 
 impl Before {
-    /// There nothing has entered yet, and about the axis of an angle nothing that is asked for is missing.
+    /// In the place of both motions: what is asked about the axis of an angle does not depend on its own rate and acceleration.
     pub(super) fn at(self) -> At {
         let Self { motion, v } = self;
         At {

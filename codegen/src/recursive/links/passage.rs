@@ -64,8 +64,8 @@ impl Drive {
         }
     }
 
-    /// Of what stands before and after the rotation, the side on which it meets what passes the other way: before it, where the axis of
-    /// an angle is what it is after it, and what comes from outside has turned back anyway.
+    /// Picks the side of the rotation on which motions meet what passes the other way. The axis of an angle is the same on both: before
+    /// it. Components of an angular velocity are along the axes after it.
     pub(in crate::recursive) fn met<T>(self, before: T, after: T) -> T {
         match self {
             Self::AngularVelocity(_) => after,

@@ -64,7 +64,7 @@ impl Column {
         self.momentum.turn(graph, rotation);
     }
 
-    /// The same by a rotation times what belongs to all bodies: so do the products.
+    /// The same by a rotation that holds a factor of all bodies, to which the products then belong.
     pub(in crate::recursive) fn turn_with_all(
         &mut self,
         graph: &mut ExprGraph,

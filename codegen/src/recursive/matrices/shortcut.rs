@@ -44,6 +44,20 @@ impl Shortcut {
             None => graph.zero_vector(),
         }
     }
+
+    /// Sends the columns that may leave, before a turn about an axis.
+    pub(in crate::recursive) fn take<'c, C: Sent + 'c>(
+        &self,
+        graph: &mut ExprGraph,
+        axis: Axis,
+        columns: impl IntoIterator<Item = &'c mut C>,
+    ) {
+        for column in columns {
+            if column.stays(graph) {
+                column.depart(graph, self, axis);
+            }
+        }
+    }
 }
 
 /// A column of which forces, or linear momenta, leave on a shortcut.
@@ -192,16 +206,14 @@ impl<'a> Shortcuts<'a> {
         (body, axis): (BodyId, Axis),
         columns: impl Iterator<Item = &'c mut C>,
     ) -> Option<Shortcut> {
-        let mut columns: Vec<_> = columns.filter(|own| own.stays(graph)).collect();
-        let shortcut = self.of(graph, body, columns.iter().map(|own| &**own))?;
-        for column in &mut columns {
-            column.depart(graph, &shortcut, axis);
-        }
+        let columns: Vec<_> = columns.collect();
+        let shortcut = self.for_columns(graph, body, columns.iter().map(|own| &**own))?;
+        shortcut.take(graph, axis, columns);
         Some(shortcut)
     }
 
     /// The shortcut from a link for columns, if there is one that pays.
-    pub(in crate::recursive) fn of<'c, C: Sent + 'c>(
+    pub(in crate::recursive) fn for_columns<'c, C: Sent + 'c>(
         &mut self,
         graph: &mut ExprGraph,
         body: BodyId,

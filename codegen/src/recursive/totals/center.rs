@@ -1,4 +1,4 @@
-//! The mass centre of all bodies and how it moves: masses and first moments pass inward with their rates as they are seen from
+//! The mass centre of all bodies and how it moves: masses and first moments pass inward with their rates, and where that is asked for with the rates of these, as they are seen from
 //! the link that has been reached, and arrive in inertial components. They are divided by all mass there, for a changed mass is to
 //! change nothing of bodies that are not on its path.
 
@@ -77,7 +77,7 @@ pub fn momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) ->
     sum
 }
 
-/// Its acceleration for `y_dot = 0`, inertial components; zero where no body has mass.
+/// The acceleration of the mass centre for `y_dot = 0`, inertial components; zero where no body has mass.
 pub fn jacobian_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
     let links = link::links(graph, tree, plan);
     let second = whole(graph, tree, &links, true).second;
@@ -191,7 +191,8 @@ impl Passenger for MovingMass {
         let rates = speeds(graph, drive.motions());
         let (before, swept) = (self.rate, graph.cross(rates, self.moment));
         self.rate = graph.add_vectors(before, swept);
-        // `w × (2 h_dot + w × h)`.
+        // `w × (2 h_dot + w × h)`: for `y_dot = 0` the rate is constant. Translations enter farther in, along the joint's axes; along the
+        // link's own their `w × m v` would be here once, and not twice.
         let both = graph.add_vectors(before, self.rate);
         self.second = self.second.map(|second| {
             let convected = graph.cross(rates, both);

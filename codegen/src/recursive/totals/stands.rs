@@ -16,9 +16,9 @@ use crate::{
     tree::Motion,
 };
 
-/// From how many columns on the plan has a link stand in the inertial frame; `None` where it has none. A column would be rotated by the
-/// link's joint for 6 operations a vector, and by the matrix costs no more than by the lower link's, which itself takes 18; for two
-/// sparse ones less of it is needed.
+/// How many columns a link has to carry for a matrix of its own to inertial axes; `None` where the plan lets none leave. The matrix costs
+/// 18 operations, three vectors turned by the link's joint, and saves that turn, 6 a vector, of each column; of sparse columns part of it
+/// is not needed.
 fn many(plan: &Plan) -> Option<usize> {
     let many = if plan.uses(Technique::Levers) { 2 } else { 3 };
     plan.uses(Technique::Shortcut).then_some(many)
@@ -143,9 +143,10 @@ impl Stands {
     }
 }
 
-/// True where no constant number is multiplied into axes on their way outward: what belongs to all bodies would become part of it.
+/// True where constant rotations have no entries but 0, 1 and -1: with others, a factor of all bodies would be folded into numbers of one.
 pub(super) fn stay_apart(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> bool {
     let Linkage { tree, links, .. } = linkage;
+    graph.begin(Purpose::Outward);
     tree.body_ids().all(|body| {
         let mut kept = Kept { all: true };
         graph.enter(body);

@@ -146,14 +146,17 @@ fn locked(
                 let at = format!("`{kind}` of {shown} is locked at {value:?} {unit}");
                 let subject = format!("`{kind}` of {shown} at {value:?} {unit}");
                 let follows = description.bodies[body].joint.mimic.is_some();
+                let cut = if follows {
+                    ", and follows no other joint any more"
+                } else {
+                    ""
+                };
                 findings.push(match beyond(description, (body, motion), *value) {
-                    None if follows => {
-                        Diagnostic::warning(format!("{at}, and follows no other joint any more"))
-                            .one_of("motions that followed others are locked", subject)
-                    }
+                    None if follows => Diagnostic::warning(format!("{at}{cut}"))
+                        .one_of("motions that followed others are locked", subject),
                     None => Diagnostic::note(at).one_of("motions are locked", subject),
                     Some([lower, upper]) => Diagnostic::warning(format!(
-                        "{at}, beyond its limits {lower:?} and {upper:?} {unit}"
+                        "{at}, beyond its limits {lower:?} and {upper:?} {unit}{cut}"
                     ))
                     .one_of("motions are locked beyond their limits", subject),
                 });

@@ -265,7 +265,7 @@ fn rotating(
             let fault = Diagnostic::error(message).at(value.span, "expected 0");
             reader.faults.push(
                 fault.help(
-                    "with `chart = \"quaternion\"`, the default, the speeds are its components",
+                    "with `chart = \"quaternion\"`, the default, the speeds are components of the angular velocity",
                 ),
             );
         }

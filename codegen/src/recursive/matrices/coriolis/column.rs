@@ -56,7 +56,7 @@ impl CoriolisColumn {
         }
     }
 
-    /// That of a turn about an axis of a link that moves so.
+    /// That of a turn about an axis; velocities and rates are of one side of the rotation.
     pub(in crate::recursive) fn of_turn(
         graph: &mut ExprGraph,
         Masses {

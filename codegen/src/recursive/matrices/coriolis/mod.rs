@@ -6,6 +6,8 @@
 //! With rates seen from the link, `B = tr(N) 1 - N`, second moments S, and `w` and `v` of the link, they begin for a turn
 //! about `e` as `B e - e × S w` and `e × f + w × (e × h)`, and `B^T e + S (w × e) + v × (e × h)`.
 //!
+//! About the axis of an angle all of this is the same on both sides of its rotation, if `w` and rates are of one side.
+//!
 //! How fast a whole tree is translated does not matter: of `v` only what joints beyond the root add is there.
 
 pub(in crate::recursive) mod column;
@@ -20,7 +22,7 @@ use super::{
     gathered::Gathered,
     lever::Levered,
     moments::{Changing, Moments, Rates},
-    shortcut::{Sent, Shortcut, Shortcuts},
+    shortcut::{Shortcut, Shortcuts},
     speed_matrix,
 };
 use crate::{
@@ -224,17 +226,14 @@ impl Carried<'_, '_> {
 
     /// The shortcut before the link's turn, if there is one that pays.
     fn shortcut(&mut self, graph: &mut ExprGraph) -> Option<Shortcut> {
-        self.shortcuts.of(graph, self.body, self.columns.iter())
+        self.shortcuts
+            .for_columns(graph, self.body, self.columns.iter())
     }
 
     /// Sends columns off before a turn about an axis, or gets them ready for it.
     fn leave(&mut self, graph: &mut ExprGraph, axis: Axis, shortcut: Option<Shortcut>) {
         if let Some(shortcut) = &shortcut {
-            for column in &mut self.columns {
-                if column.stays(graph) {
-                    column.depart(graph, shortcut, axis);
-                }
-            }
+            shortcut.take(graph, axis, self.columns.iter_mut());
         }
         self.read_ahead(graph, axis, shortcut);
         for column in &mut self.columns {
@@ -269,7 +268,8 @@ impl Passenger for Carried<'_, '_> {
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         let AtMotions { before, after } = self.next();
         match drive {
-            // Before it the link turns more slowly, and of that only where something below turns at all is more needed.
+            // If what is below turns, the column begins before the rotation: of `w` the link's own rate is not there yet. If not,
+            // `w` is zero there, and the composite body, which nothing reads, need not be turned back.
             Drive::Angle(axis, motion) if !graph.is_zero_vector(before[0]) => {
                 let place = axis.index();
                 let shortcut = self.shortcut(graph);
