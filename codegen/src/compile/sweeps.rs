@@ -19,10 +19,11 @@ use super::{
 /// How many times as much as the other a sweep may build beyond [`MOST_NODES`]: what entries have in common never makes up for more.
 const MOST_TIMES: usize = 8;
 
-/// How many operations a way may have before its sums are factored, times the cost of the cheapest: that hardly ever halves a long count.
+/// A way that needs more than this many times the cost of the cheapest before its sums are factored is passed over: factoring hardly ever
+/// halves a long count.
 const MOST_FACTORED: usize = 2;
 
-/// Up to this count a way is compared as it is in the end: of few operations most may go.
+/// A way of no more operations is never passed over: of few operations most may go.
 const SHORT: usize = 200;
 
 /// The plan by each way that has a chance to be the cheaper one, forward first.

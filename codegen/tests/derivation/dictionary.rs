@@ -78,6 +78,11 @@ fn unknown_names_are_met_with_advice() {
         advice("angular_jacobian"),
         "did you mean `jacobian(FRAME)`?"
     );
+    assert_eq!(
+        advice("dccrba"),
+        "here it is called `centroidal_momentum_matrix_dot_u`, which is the matrix `A_G_dot` times `u`; there is none of the matrix alone"
+    );
+    assert!(advice("totalMass").starts_with("`inertial_parameters` writes the masses"));
     assert_eq!(advice("defualt"), "did you mean `default`?");
     assert!(advice("spatial_jacobian").ends_with("none is about the inertial origin"));
     assert_eq!(

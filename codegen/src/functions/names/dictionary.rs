@@ -1,7 +1,8 @@
 //! What to say to those who look for a name that we do not have, perhaps another tool's.
 
 use super::{
-    elsewhere::{NO_FUNCTIONS, OPERATORS, REMARKS, REQUESTS, RUNTIME, VARIABLES},
+    absent::NO_FUNCTIONS,
+    elsewhere::{OPERATORS, REMARKS, REQUESTS, RUNTIME, VARIABLES},
     generated_name,
 };
 use crate::{

@@ -1,6 +1,6 @@
 //! Names of generated functions, read back: for those who ask for what they know from a module.
 
-use super::elsewhere::NO_FRAMES;
+use super::absent::NO_FRAMES;
 use crate::functions::{
     argument::Argument,
     function::{Function, Of},

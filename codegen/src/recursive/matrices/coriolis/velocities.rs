@@ -70,12 +70,13 @@ impl Passenger for VelocityOutward {
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let before = self.velocity;
         if !self.is_root {
             let own = speeds(graph, motions);
             self.velocity[1] = graph.add_vectors(self.velocity[1], own);
         }
+        // Translations turn nothing: there is one side.
         let after = self.velocity;
+        let before = after;
         self.at_motions.push(AtMotions { before, after });
     }
 }

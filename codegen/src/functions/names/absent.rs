@@ -1,0 +1,106 @@
+//! Words that users look for and that name no function and no frame.
+
+/// Words for what no function writes, and what to do about each.
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 17] = [
+    (
+        "`jacobian(FRAME)` is about the frame's origin, along inertial axes; none is about the inertial origin",
+        &["spatialjacobian"],
+    ),
+    (
+        "forces of contacts follow from `operational_inverse_inertia(FRAME, ..)` and `acceleration(FRAME)`: docs/dictionary.md, \"Contact\"",
+        &[
+            "contact",
+            "contacts",
+            "contactforces",
+            "constraint",
+            "constraints",
+            "constraintdynamics",
+            "constrainedforwarddynamics",
+            "kkt",
+        ],
+    ),
+    (
+        "it is `bias` less `gravity_forces`, springs and dampers, or `coriolis_matrix` times `u`",
+        &["coriolisvector", "coriolisforces", "cu"],
+    ),
+    (
+        "a module has `LOWER_LIMITS`, `UPPER_LIMITS`, `VELOCITY_LIMITS` and `EFFORT_LIMITS`",
+        &["limits", "jointlimits", "positionlimits", "torquelimits"],
+    ),
+    (
+        "`operational_inverse_inertia(FRAME)` writes its inverse",
+        &[
+            "lambda",
+            "taskinertia",
+            "operationalinertia",
+            "operationalspaceinertia",
+            "operationalspaceinertiamatrix",
+        ],
+    ),
+    (
+        "a tool is a frame of the model, as in `pose(FRAME)` and `jacobian(FRAME)`",
+        &["endeffector", "ee", "eef", "tcp", "tool", "flange"],
+    ),
+    (
+        "it follows from `jacobian(FRAME)`: the square root of the determinant of `J J^T`",
+        &["manipulability", "manipulabilitymeasure"],
+    ),
+    (
+        "no equation has friction; a module has what the model says of it, `FRICTION`",
+        &["friction", "coulombfriction", "frictionloss"],
+    ),
+    (
+        "gains follow from `A` and `B` of a step, which `kane::discrete` computes in Rust",
+        &["lqr", "dlqr", "riccati"],
+    ),
+    (
+        "dampers of joints are part of `bias`",
+        &["damping", "damper", "viscousfriction"],
+    ),
+    (
+        "no step here is implicit: build one from `d(inverse_dynamics)/d(q, u, u_dot)`, by Newton iteration or in an optimiser",
+        &["impliciteuler", "implicitmidpoint", "collocation"],
+    ),
+    (
+        "a projector follows from `jacobian(FRAME)` and `mass_matrix_inverse`: `1 - J^T (J M^-1 J^T)^-1 J M^-1`",
+        &["nullspace", "nullspaceprojector"],
+    ),
+    (
+        "`pose(FRAME)` writes a rotation matrix; `kane::rotation` makes rotation vectors of it",
+        &["quaternion", "rpy", "eulerangles"],
+    ),
+    (
+        "`inertial_parameters` writes the masses, each the first of its body's ten numbers",
+        &["totalmass"],
+    ),
+    (
+        "multiply what `hessian(F; X)` writes by the vector",
+        &["hvp", "hessianvectorproduct"],
+    ),
+    (
+        "the change of speeds by an impulse follows from `operational_inverse_inertia(FRAME, ..)`",
+        &["impulsedynamics", "impulse", "impact"],
+    ),
+    (
+        "a mass, a mass centre or an inertia that changes is `{ runtime = .. }` in the model",
+        &["payload"],
+    ),
+];
+
+/// Kinds of Jacobians and the like, which are no frames though they stand where a frame could.
+pub(super) const NO_FRAMES: [&str; 14] = [
+    "analytic",
+    "analytical",
+    "angular",
+    "bias",
+    "body",
+    "classical",
+    "contact",
+    "frame",
+    "geometric",
+    "linear",
+    "point",
+    "relative",
+    "spatial",
+    "world",
+];
