@@ -86,9 +86,11 @@ fn by_one_plan(plans: &Plans<'_>, request: &Request) -> Planned {
         .with(Technique::Reverse, false);
     let mut ways = sweeps::ways(tree, request, Formulation::Recursive, without, &forward);
     if !without.contains(&Technique::DirectDerivatives) && request.differentiates_directly() {
-        // Most of what they cost are columns such as those of the Coriolis matrix.
+        // Most of what others cost are columns such as those of the Coriolis matrix.
         let columns = Request::parse("coriolis_matrix").expect("cheapest: the catalogue has it");
-        let columns = plans.of_values(&columns);
+        let mut alike = request.differentiated_to();
+        alike.push(columns);
+        let alike: Vec<Plan> = alike.iter().map(|own| plans.of_values(own)).collect();
         let swept = if request.sweeps_beside_direct() {
             ways.clone()
         } else {
@@ -102,8 +104,10 @@ fn by_one_plan(plans: &Plans<'_>, request: &Request) -> Planned {
         }
         for way in swept {
             let is_reverse = way.uses(Technique::Reverse);
-            let columns = columns.with(Technique::Reverse, is_reverse);
-            ways.extend([&way, &columns].map(|plan| plan.with(Technique::DirectDerivatives, true)));
+            let alike = alike.iter();
+            let alike = alike.map(|plan| plan.with(Technique::Reverse, is_reverse));
+            let plans = std::iter::once(way).chain(alike);
+            ways.extend(plans.map(|plan| plan.with(Technique::DirectDerivatives, true)));
         }
     }
     let ways = ways.iter().map(|plan| request.arranged_by(tree, plan));

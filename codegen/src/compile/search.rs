@@ -17,7 +17,7 @@ use crate::{
 
 use super::{
     pipeline::{finished, with_sines},
-    planned::{MOST_NODES, cost_of},
+    planned::{MOST_NODES, Planned, cost_of},
 };
 
 /// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
@@ -32,6 +32,24 @@ const MOST_STARTS: usize = 1_500;
 
 /// The cheapest plan that was found for the function, without the techniques in `without`.
 pub(super) fn plan(tree: &Tree, request: &Request, without: &BTreeSet<Technique>) -> Plan {
+    let best = of_starts(tree, request, without);
+    let rates = Technique::Rates;
+    if !request.chooses(rates) || without.contains(&rates) {
+        return best;
+    }
+    // Little of what suits one way to rates suits the other.
+    let mut without = without.clone();
+    without.insert(rates);
+    let other = of_starts(tree, request, &without);
+    let [cost, of_other] = [&best, &other].map(|plan| {
+        let planned = Planned::new(tree, request, request.arranged_by(tree, plan));
+        cost_of(request, &planned.derived)
+    });
+    if of_other < cost { other } else { best }
+}
+
+/// The cheapest of those that were found from each start.
+fn of_starts(tree: &Tree, request: &Request, without: &BTreeSet<Technique>) -> Plan {
     let mut counts = Counts::new();
     let mut best: Option<Found> = None;
     for left_out in starts(request, without) {
@@ -317,7 +335,7 @@ impl Search<'_> {
             Technique::Regroup | Technique::Balance | Technique::SecondMoments => {
                 self.request.reads_inertias()
             }
-            Technique::Weights => self.request.weighs(),
+            Technique::Weights => self.request.chooses(technique),
             Technique::Articulated => self.factors_have_a_chance(),
             Technique::LinkAxes | Technique::Fall => self.request.solves(),
             Technique::Carriers => self.request.inverts(),
@@ -325,7 +343,10 @@ impl Search<'_> {
             Technique::Levers => {
                 self.request.passes_frames() || self.request.has_inertial_columns()
             }
-            Technique::DirectDerivatives | Technique::Reverse | Technique::Lockstep => false,
+            Technique::Rates
+            | Technique::DirectDerivatives
+            | Technique::Reverse
+            | Technique::Lockstep => false,
             Technique::Slide
             | Technique::Turn
             | Technique::Parallel

@@ -15,7 +15,7 @@ use super::{
 };
 use crate::{
     expr::{Expr, ExprGraph},
-    recursive::Plan,
+    recursive::{Plan, Technique},
     solve::SpeedMatrix,
     tree::Tree,
 };
@@ -40,10 +40,12 @@ pub struct Function {
     pub is_default: bool,
     /// What of the mass matrix it takes beyond its entries.
     pub(super) mass_matrix: MassMatrixUse,
-    /// True where weights may pass inward in the place of masses.
-    pub(super) weighs: bool,
+    /// Techniques that say something of few functions, of which it is one.
+    pub(super) techniques: &'static [Technique],
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
+    /// By one of its arguments alone, the function whose entries are its derivatives.
+    pub(super) derivatives_are: &'static [(Argument, &'static Self)],
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
     pub(super) derivatives: Option<JacobiansFn>,
     /// What its whole derivatives find beside, in that way.
@@ -112,8 +114,9 @@ pub(super) const PLAIN: Function = Function {
     outputs: &[],
     is_default: false,
     mass_matrix: MassMatrixUse::None,
-    weighs: false,
+    techniques: &[],
     prescribes: false,
+    derivatives_are: &[],
     derivatives: None,
     derivatives_tell: &[],
     beside: None,

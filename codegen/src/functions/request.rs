@@ -14,7 +14,11 @@ use super::{
     part::{Part, Rows},
     variable::Variable,
 };
-use crate::{recursive::Plan, solve, tree::Tree};
+use crate::{
+    recursive::{Plan, Technique},
+    solve,
+    tree::Tree,
+};
 
 /// A function to generate.
 #[derive(Clone, Debug)]
@@ -63,9 +67,10 @@ impl Request {
         self.functions().any(Function::passes_frames)
     }
 
-    /// True where a plan may choose what stands for weight.
-    pub fn weighs(&self) -> bool {
-        self.functions().any(|function| function.weighs)
+    /// True where a plan may choose whether to use this technique of few functions.
+    pub fn chooses(&self, technique: Technique) -> bool {
+        self.functions()
+            .any(|function| function.techniques.contains(&technique))
     }
 
     /// True where a plan may choose which links' columns go to inertial axes at once.
@@ -291,6 +296,18 @@ impl Request {
     pub fn differentiates_directly(&self) -> bool {
         let mut parts = self.parts.iter();
         parts.any(Part::has_direct_derivatives)
+    }
+
+    /// The functions whose entries some derivatives are, each once.
+    pub fn differentiated_to(&self) -> Vec<Self> {
+        let parts = self.parts.iter().filter_map(Part::differentiated_to);
+        let mut all: Vec<Self> = Vec::new();
+        for part in parts {
+            if all.iter().all(|known| known.parts[0].text() != part.text()) {
+                all.push(Self::new(None, vec![part], self.at_sin_cos));
+            }
+        }
+        all
     }
 
     /// True where sweeps find derivatives even if dynamics are differentiated in their own way.

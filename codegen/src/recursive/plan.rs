@@ -32,6 +32,8 @@ pub enum Technique {
     Levers,
     /// Where nothing but weight counts and gravity is constant along an axis, weights pass inward, and not masses.
     Weights,
+    /// How fast the mass matrix changes passes inward beside what becomes its entries, and is not differentiated from these.
+    Rates,
     /// Accelerations are solved for by articulated bodies.
     Articulated,
     /// Accelerations of joints that move freely about or along all axes are solved for along the link's axes.
@@ -55,7 +57,7 @@ pub enum Technique {
 
 impl Technique {
     /// All of them, with the names that they have in `kane.toml`.
-    pub const ALL: [(&str, Self); 18] = [
+    pub const ALL: [(&str, Self); 19] = [
         ("slide", Self::Slide),
         ("turn", Self::Turn),
         ("regroup", Self::Regroup),
@@ -66,6 +68,7 @@ impl Technique {
         ("inward", Self::Inward),
         ("levers", Self::Levers),
         ("weights", Self::Weights),
+        ("rates", Self::Rates),
         ("articulated", Self::Articulated),
         ("link_axes", Self::LinkAxes),
         ("carriers", Self::Carriers),

@@ -22,6 +22,7 @@ pub(super) const CENTER_OF_MASS: Function = Function {
         "Mass centre of all bodies, from the inertial origin: inertial components, {position}. Also known as centre of mass, com.",
         "Mass that is fixed to the inertial frame does not count. Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.",
     ],
+    derivatives_are: &[(Argument::Q, &CENTER_OF_MASS_JACOBIAN)],
     derivation: either!(kane::center::position, totals::center::position),
     ..PLAIN
 };
@@ -35,6 +36,7 @@ pub(super) const CENTER_OF_MASS_VELOCITY: Function = Function {
         "Velocity of the mass centre of all bodies in the inertial frame: inertial components, {velocity}; zero where no body has mass.",
         "Masses that are zero at run time alone give NaN.",
     ],
+    derivatives_are: &[(Argument::U, &CENTER_OF_MASS_JACOBIAN)],
     derivation: either!(kane::center::velocity, totals::center::velocity),
     ..PLAIN
 };

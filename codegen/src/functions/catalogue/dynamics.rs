@@ -1,5 +1,6 @@
 //! Forces, and what they accelerate.
 
+use super::matrices::{MASS_MATRIX, MASS_MATRIX_INVERSE};
 use crate::{
     functions::{
         argument::Argument,
@@ -11,7 +12,8 @@ use crate::{
         told::{KnownMatrix, ReadOff},
         unit::{ACCELERATION, FORCE, Unit},
     },
-    kane, recursive,
+    kane,
+    recursive::{self, Technique},
 };
 
 pub(super) const GENERALIZED_FORCES: Function = Function {
@@ -28,24 +30,6 @@ pub(super) const GENERALIZED_FORCES: Function = Function {
         recursive::forces::inverse_dynamics::generalized_forces
     ),
     terms: Terms::OfVector,
-    ..PLAIN
-};
-
-pub(super) const MASS_MATRIX: Function = Function {
-    name: "mass_matrix",
-    trait_name: Some("MassMatrix"),
-    arguments: &[Argument::Q],
-    outputs: &[Output::new("m", Shape::SPEED_MATRIX, Unit::MASS_MATRIX)],
-    read_off: Some(ReadOff {
-        matrix: KnownMatrix::Mass,
-        entries: roots::matrices::whole,
-    }),
-    is_default: true,
-    doc: &[
-        "Mass matrix, `A` of Eq. (42), with `M u_dot + bias = tau`: symmetric, every entry written. Also known as joint-space inertia, crba.",
-    ],
-    derivation: Derivation::EitherWay(roots::dynamics::mass_matrix),
-    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -117,7 +101,7 @@ pub(super) const GRAVITY_FORCES: Function = Function {
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
         "{tau}. Also known as gravity torque, generalized gravity, `g(q)`.",
     ],
-    weighs: true,
+    techniques: &[Technique::Weights],
     derivation: either!(
         kane::dynamics::gravity_forces,
         recursive::forces::gravity::gravity_forces
@@ -132,6 +116,7 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     is_default: true,
+    derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
     derivatives: Some(roots::jacobians::forces::inverse_dynamics),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -154,6 +139,7 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     )],
     is_default: true,
     mass_matrix: MassMatrixUse::Accelerations,
+    derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
     derivatives: Some(roots::jacobians::accelerations::forward_dynamics),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::dynamics::inverse_dynamics),

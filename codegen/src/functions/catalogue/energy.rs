@@ -9,7 +9,7 @@ use crate::{
         unit::Unit,
     },
     kane,
-    recursive::totals,
+    recursive::{Technique, totals},
 };
 
 pub(super) const KINETIC_ENERGY: Function = Function {
@@ -32,7 +32,7 @@ pub(super) const POTENTIAL_ENERGY: Function = Function {
     doc: &[
         "Potential energy, {energy}: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.",
     ],
-    weighs: true,
+    techniques: &[Technique::Weights],
     derivation: either!(kane::energy::potential, totals::energy::potential),
     ..PLAIN
 };

@@ -92,6 +92,7 @@ pub(super) const VELOCITY: Function = Function {
         "Velocity of the frame {frame} in the inertial frame: of its origin, {linear}, and its angular velocity, {angular}; {axes}.",
         "Also known as frame velocity, spatial velocity at the frame's origin, twist.",
     ],
+    derivatives_are: &[(Argument::U, &JACOBIAN)],
     derivation: Derivation::OfFrames(roots::frames::velocity),
     ..PLAIN
 };
@@ -114,6 +115,7 @@ pub(super) const ACCELERATION: Function = Function {
         "Acceleration of the frame {frame} in the inertial frame: of its origin, {linear}, and its angular acceleration, {angular}; {axes}.",
         "It is the rate of the velocity of the origin itself, without gravity. Also known as classical acceleration.",
     ],
+    derivatives_are: &[(Argument::UDot, &JACOBIAN)],
     derivation: Derivation::OfFrames(roots::frames::acceleration),
     ..PLAIN
 };

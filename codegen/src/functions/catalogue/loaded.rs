@@ -1,5 +1,6 @@
 //! Motion and forces of a system on which loads act.
 
+use super::matrices::{MASS_MATRIX, MASS_MATRIX_INVERSE};
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
@@ -16,6 +17,7 @@ pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
     trait_name: Some("LoadedInverseDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
+    derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
     derivatives: Some(roots::jacobians::forces::loaded_inverse_dynamics),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -38,6 +40,7 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
         Unit::BySpeed(ACCELERATION),
     )],
     mass_matrix: MassMatrixUse::Accelerations,
+    derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
     derivatives: Some(roots::jacobians::accelerations::loaded_forward_dynamics),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::loaded::loaded_inverse_dynamics),

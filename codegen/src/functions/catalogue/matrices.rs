@@ -11,7 +11,26 @@ use crate::{
         told::{Beside, KnownMatrix, ReadOff},
         unit::{ACCELERATION, FORCE, Unit},
     },
-    kane, recursive,
+    kane,
+    recursive::{self, Technique},
+};
+
+pub(super) const MASS_MATRIX: Function = Function {
+    name: "mass_matrix",
+    trait_name: Some("MassMatrix"),
+    arguments: &[Argument::Q],
+    outputs: &[Output::new("m", Shape::SPEED_MATRIX, Unit::MASS_MATRIX)],
+    read_off: Some(ReadOff {
+        matrix: KnownMatrix::Mass,
+        entries: roots::matrices::whole,
+    }),
+    is_default: true,
+    doc: &[
+        "Mass matrix, `A` of Eq. (42), with `M u_dot + bias = tau`: symmetric, every entry written. Also known as joint-space inertia, crba.",
+    ],
+    derivation: Derivation::EitherWay(roots::dynamics::mass_matrix),
+    terms: Terms::OfMatrix,
+    ..PLAIN
 };
 
 pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
@@ -19,6 +38,7 @@ pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
     trait_name: Some("MassMatrixProduct"),
     arguments: &[Argument::Q, Argument::UDot],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
+    derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
     derivatives: Some(roots::jacobians::forces::mass_matrix_product),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -40,6 +60,7 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
         Unit::BySpeed(ACCELERATION),
     )],
     mass_matrix: MassMatrixUse::Accelerations,
+    derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
     derivatives: Some(roots::jacobians::accelerations::mass_matrix_solve),
     derivatives_tell: &[KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::matrices::product),
@@ -167,10 +188,8 @@ pub(super) const MASS_MATRIX_DOT: Function = Function {
     doc: &[
         "Rate of the mass matrix of Eq. (42) for the motion `u`, `M_dot = C + C^T`: symmetric, every entry written. Also known as time derivative of the joint-space inertia.",
     ],
-    derivation: either!(
-        kane::coriolis::mass_matrix_dot,
-        recursive::matrices::mass_matrix_dot::mass_matrix_dot
-    ),
+    techniques: &[Technique::Rates],
+    derivation: Derivation::EitherWay(roots::coriolis::mass_matrix_dot),
     terms: Terms::OfMatrix,
     ..PLAIN
 };

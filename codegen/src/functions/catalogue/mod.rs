@@ -34,7 +34,7 @@ pub static CATALOGUE: [Function; 58] = [
     kinematics::PARTIAL_VELOCITY_DOT,
     kinematics::MASS_CENTER_ACCELERATION,
     dynamics::GENERALIZED_FORCES,
-    dynamics::MASS_MATRIX,
+    matrices::MASS_MATRIX,
     dynamics::MASS_MATRIX_PACKED,
     dynamics::FORCING,
     coordinates::Q_DOT,

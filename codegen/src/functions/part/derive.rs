@@ -12,9 +12,10 @@ use crate::{
         },
         derived::Derived,
         formulation::Formulation,
-        function::InverseDynamicsFn,
+        function::{Function, InverseDynamicsFn},
         told::Told,
     },
+    expr::Expr,
     recursive::{Plan, Technique},
     tree::{Tree, Value},
 };
@@ -72,6 +73,9 @@ impl Part {
         match self.route(tree, formulation, plan) {
             Route::Values => self.derive_values(derived, tree, formulation, plan),
             Route::Swept => self.derive_swept(derived, tree, by, None),
+            Route::Direct(Direct::Function(function)) => {
+                return self.derive_as(function, derived, tree, by);
+            }
             Route::Direct(Direct::Matrices(jacobians)) => {
                 let found = self.derive_matrices(derived, tree, by, jacobians);
                 let matrices = self.function.derivatives_tell;
@@ -85,6 +89,30 @@ impl Part {
             }
         }
         Told::default()
+    }
+
+    /// Derivatives that are the entries of a function: of a matrix over speeds that others may be read off, or of rows.
+    fn derive_as(
+        &self,
+        function: &Function,
+        derived: &mut Derived,
+        tree: &Tree,
+        (formulation, plan): (Formulation, &Plan),
+    ) -> Told {
+        let first = derived.roots.len();
+        let (way, subject) = (formulation.by(plan), self.subject.as_ref());
+        function.derivation.derive_in(derived, tree, way, subject);
+        let entries = derived.roots.split_off(first);
+        let n_columns = self.n_variables(tree);
+        let rows: Vec<Vec<Expr>> = entries.chunks(n_columns).map(<[Expr]>::to_vec).collect();
+        let sizes = self.output_sizes(tree);
+        let sparsity = self.sparsity(tree);
+        derived.put(&sizes, std::slice::from_ref(&rows), sparsity.as_deref());
+        let told = Told::default();
+        match function.read_off {
+            Some(own) => told.with(own.matrix, rows),
+            None => told,
+        }
     }
 
     /// Derivatives by sweeps over the values; where these are accelerations that need such forces, over the forces.

@@ -5,7 +5,8 @@ use crate::{
     functions::{
         derivatives::{derivative::DerivativeKind, jacobians::is_known},
         formulation::Formulation,
-        function::{InverseDynamicsFn, JacobiansFn},
+        variable::Variable,
+        function::{Function, InverseDynamicsFn, JacobiansFn},
     },
     recursive::{Plan, Technique},
     tree::Tree,
@@ -23,7 +24,9 @@ pub(super) enum Route {
 
 /// A way to derivatives of dynamics in which no sweep goes through a solver.
 pub(in crate::functions) enum Direct {
-    /// All of them, from composite bodies.
+    /// They are the entries of another function.
+    Function(&'static Function),
+    /// All of them, in a way of the function's own.
     Matrices(JacobiansFn),
     /// Second derivatives of accelerations, by the forces that these need.
     Second(InverseDynamicsFn),
@@ -58,16 +61,35 @@ impl Part {
     pub(super) fn direct(&self) -> Option<Direct> {
         let derivative = self.derivative.as_ref()?;
         let whole = [DerivativeKind::Jacobian, DerivativeKind::PackedJacobian];
-        if let Some(jacobians) = self.function.derivatives
-            && whole.contains(&derivative.kind)
-            && derivative.by.iter().any(is_known)
-        {
-            return Some(Direct::Matrices(jacobians));
+        if whole.contains(&derivative.kind) {
+            let mut functions = self.function.derivatives_are.iter();
+            if let Some((_, function)) =
+                functions.find(|(argument, _)| derivative.by == [Variable::Given(*argument)])
+            {
+                return Some(Direct::Function(function));
+            }
+            if let Some(jacobians) = self.function.derivatives
+                && derivative.by.iter().any(is_known)
+            {
+                return Some(Direct::Matrices(jacobians));
+            }
         }
         let forces = self.function.inverse_dynamics?;
         Some(match derivative.kind {
             DerivativeKind::Hessian => Direct::Second(forces),
             _ => Direct::Solved(forces),
+        })
+    }
+
+    /// The function whose entries its derivatives are.
+    pub(in crate::functions) fn differentiated_to(&self) -> Option<Self> {
+        let Direct::Function(function) = self.direct()? else {
+            return None;
+        };
+        Some(Self {
+            function,
+            derivative: None,
+            ..self.clone()
         })
     }
 
@@ -88,7 +110,7 @@ impl Part {
                 let is_solved_for = self.function.inverse_dynamics.is_some();
                 !is_solved_for && !derivative.by.iter().all(is_known)
             }
-            Some(Direct::Solved(_)) => false,
+            Some(Direct::Function(_) | Direct::Solved(_)) => false,
         }
     }
 }

@@ -36,6 +36,10 @@ impl Part {
             return function.beside.map_or(&[][..], |own| own.matrices);
         };
         match self.direct() {
+            Some(Direct::Function(own)) => {
+                let read_off = own.read_off.as_ref();
+                read_off.map_or(&[], |own| std::slice::from_ref(&own.matrix))
+            }
             Some(Direct::Matrices(_) | Direct::Second(_)) if derivative.by.iter().any(is_known) => {
                 function.derivatives_tell
             }

@@ -1,17 +1,55 @@
 //! The root expressions of the Coriolis matrix, and of the rate of the mass matrix.
 
-use super::dynamics::with_rotors;
+use super::{coordinates, dynamics::with_rotors};
 use crate::{
+    differentiate::{Seeds, forward},
     expr::{Expr, ExprGraph, Input, Purpose},
     functions::{
         argument::Argument,
+        formulation::Way,
         told::{KnownMatrix, Told},
     },
     given::{Accelerations, mechanics},
-    recursive::{Plan, forces::gravity, matrices as recursive},
+    kane,
+    recursive::{Plan, Technique, forces::gravity, matrices as recursive},
     solve::{self, SpeedMatrix},
     tree::Tree,
 };
+
+pub(in crate::functions) fn mass_matrix_dot(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    way: Way<'_>,
+) -> Vec<Expr> {
+    let rate = match way {
+        Way::Notes => kane::coriolis::mass_matrix_dot(graph, tree),
+        Way::Recursive(plan) if plan.uses(Technique::Rates) => {
+            recursive::mass_matrix_dot::mass_matrix_dot(graph, tree, plan)
+        }
+        Way::Recursive(plan) => differentiated(graph, tree, plan),
+    };
+    rate.concat()
+}
+
+/// The rate of the mass matrix, from its entries.
+fn differentiated(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
+    let mass = recursive::composite::mass_matrix(graph, tree, plan);
+    let places: Vec<[usize; 2]> = tree.coupled_speeds().into_iter().collect();
+    let entries: Vec<Expr> = places.iter().map(|&[i, j]| mass[i][j]).collect();
+    graph.enter(None);
+    let rates = coordinates::q_dot(graph, tree).into_iter();
+    let rates = rates.map(|rate| vec![(0, rate)]);
+    let seeds: Seeds = Argument::Q.inputs(tree).zip(rates).collect();
+    let changes = forward(graph, &entries, &seeds);
+    let mut rate = solve::zero_matrix(graph, tree.n_speeds);
+    for ([row, column], change) in places.into_iter().zip(changes) {
+        if let Some(&(_, change)) = change.first() {
+            rate[row][column] = change;
+            rate[column][row] = change;
+        }
+    }
+    rate
+}
 
 /// With the mass matrix, which its columns hold, and its rate.
 pub(in crate::functions) fn coriolis_matrix_beside(
