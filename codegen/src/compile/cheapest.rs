@@ -86,10 +86,7 @@ fn by_one_plan(plans: &Plans<'_>, request: &Request) -> Planned {
         .with(Technique::Reverse, false);
     let mut ways = sweeps::ways(tree, request, Formulation::Recursive, without, &forward);
     if !without.contains(&Technique::DirectDerivatives) && request.differentiates_directly() {
-        // Most of what others cost are columns such as those of the Coriolis matrix.
-        let columns = Request::parse("coriolis_matrix").expect("cheapest: the catalogue has it");
-        let mut alike = request.differentiated_to();
-        alike.push(columns);
+        let alike = request.alike();
         let alike: Vec<Plan> = alike.iter().map(|own| plans.of_values(own)).collect();
         let swept = if request.sweeps_beside_direct() {
             ways.clone()

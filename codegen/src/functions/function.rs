@@ -48,6 +48,8 @@ pub struct Function {
     pub(super) derivatives_are: &'static [(Argument, &'static Self)],
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
     pub(super) derivatives: Option<JacobiansFn>,
+    /// The function whose plan suits that way: most of it are expressions such as this one's.
+    pub(super) derivatives_like: Option<&'static Self>,
     /// What its whole derivatives find beside, in that way.
     pub(super) derivatives_tell: &'static [KnownMatrix],
     /// What its recursion finds beside its entries.
@@ -118,6 +120,7 @@ pub(super) const PLAIN: Function = Function {
     prescribes: false,
     derivatives_are: &[],
     derivatives: None,
+    derivatives_like: None,
     derivatives_tell: &[],
     beside: None,
     read_off: None,

@@ -298,13 +298,13 @@ impl Request {
         parts.any(Part::has_direct_derivatives)
     }
 
-    /// The functions whose entries some derivatives are, each once.
-    pub fn differentiated_to(&self) -> Vec<Self> {
-        let parts = self.parts.iter().filter_map(Part::differentiated_to);
+    /// The functions whose plans suit derivatives that have a way of their own, each once.
+    pub fn alike(&self) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
-        for part in parts {
-            if all.iter().all(|known| known.parts[0].text() != part.text()) {
-                all.push(Self::new(None, vec![part], self.at_sin_cos));
+        for part in self.parts.iter().filter_map(Part::alike) {
+            let other = Self::new(None, vec![part], self.at_sin_cos);
+            if all.iter().all(|known| known.text() != other.text()) {
+                all.push(other);
             }
         }
         all

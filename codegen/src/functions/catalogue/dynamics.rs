@@ -1,6 +1,6 @@
 //! Forces, and what they accelerate.
 
-use super::matrices::{MASS_MATRIX, MASS_MATRIX_INVERSE};
+use super::matrices::{CORIOLIS_MATRIX, MASS_MATRIX, MASS_MATRIX_INVERSE};
 use crate::{
     functions::{
         argument::Argument,
@@ -61,6 +61,7 @@ pub(super) const FORCING: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::Loads],
     outputs: &[Output::new("f", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     derivatives: Some(roots::jacobians::forces::forcing),
+    derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Right-hand side `f` of Eqs. (41), (43): `M u_dot = f`; the loads' generalized forces less the bias.",
@@ -81,6 +82,7 @@ pub(super) const BIAS: Function = Function {
     }),
     is_default: true,
     derivatives: Some(roots::jacobians::forces::bias),
+    derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.",
@@ -97,6 +99,7 @@ pub(super) const GRAVITY_FORCES: Function = Function {
     arguments: &[Argument::Q],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     derivatives: Some(roots::jacobians::forces::gravity_forces),
+    derivatives_like: Some(&CORIOLIS_MATRIX),
     doc: &[
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
         "{tau}. Also known as gravity torque, generalized gravity, `g(q)`.",
@@ -118,6 +121,7 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     is_default: true,
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
     derivatives: Some(roots::jacobians::forces::inverse_dynamics),
+    derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.",
@@ -141,6 +145,7 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
     derivatives: Some(roots::jacobians::accelerations::forward_dynamics),
+    derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::dynamics::inverse_dynamics),
     doc: &[

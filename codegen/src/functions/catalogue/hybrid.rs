@@ -1,5 +1,6 @@
 //! Accelerations of some joints and forces of the others.
 
+use super::matrices::CORIOLIS_MATRIX;
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
@@ -32,6 +33,7 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
     mass_matrix: MassMatrixUse::Accelerations,
     prescribes: true,
     derivatives: Some(roots::jacobians::hybrid::hybrid_dynamics),
+    derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Hybrid dynamics: of the speeds that `PRESCRIBED` marks, those of the joints that the option `prescribed` names, the accelerations are",

@@ -1,6 +1,6 @@
 //! Motion and forces of a system on which loads act.
 
-use super::matrices::{MASS_MATRIX, MASS_MATRIX_INVERSE};
+use super::matrices::{CORIOLIS_MATRIX, MASS_MATRIX, MASS_MATRIX_INVERSE};
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
@@ -19,6 +19,7 @@ pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
     derivatives: Some(roots::jacobians::forces::loaded_inverse_dynamics),
+    derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Inverse dynamics under loads: the `tau` that gives the accelerations `u_dot` where the loads act as well; `inverse_dynamics` less",
@@ -42,6 +43,7 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
     derivatives: Some(roots::jacobians::accelerations::loaded_forward_dynamics),
+    derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::loaded::loaded_inverse_dynamics),
     doc: &[

@@ -40,6 +40,7 @@ pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
     derivatives: Some(roots::jacobians::forces::mass_matrix_product),
+    derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "The mass matrix of Eq. (42) times accelerations, `tau = M u_dot`, rotors included: inverse dynamics without bias. No matrix is formed.",
@@ -62,6 +63,7 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
     derivatives: Some(roots::jacobians::accelerations::mass_matrix_solve),
+    derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::matrices::product),
     doc: &[

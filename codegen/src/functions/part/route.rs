@@ -81,10 +81,13 @@ impl Part {
         })
     }
 
-    /// The function whose entries its derivatives are.
-    pub(in crate::functions) fn differentiated_to(&self) -> Option<Self> {
-        let Direct::Function(function) = self.direct()? else {
-            return None;
+    /// The function whose plan suits the direct way: that whose entries derivatives are, or one that is like them.
+    pub(in crate::functions) fn alike(&self) -> Option<Self> {
+        let function = match self.direct()? {
+            Direct::Function(function) => function,
+            Direct::Matrices(_) | Direct::Second(_) | Direct::Solved(_) => {
+                self.function.derivatives_like?
+            }
         };
         Some(Self {
             function,

@@ -1,4 +1,4 @@
-//! Momentum of all bodies about their mass centre, speed by speed: that of composite bodies, carried inward as a mass matrix's
+//! Momentum of all bodies about their mass centre or the inertial origin, speed by speed: that of composite bodies, carried inward as a mass matrix's
 //! columns are, or taken to inertial axes at once from links that carry many.
 
 use super::{
@@ -29,7 +29,14 @@ pub fn momentum_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<M
     let plan = root::kept_whole(tree, plan);
     let linkage = Linkage::of_speeds(graph, tree, &plan);
     let center = center::from_first(graph, tree, &linkage.links);
-    let stands = Stands::new(graph, &linkage, Wanted::About(center));
+    let stands = Stands::new(graph, &linkage, Wanted::AboutCenter(center));
+    summed(graph, &linkage, &stands)
+}
+
+/// The columns of the momentum matrix about the inertial origin, inertial components, one a speed.
+pub fn about_origin(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Momentum> {
+    let linkage = Linkage::of_speeds(graph, tree, plan);
+    let stands = Stands::new(graph, &linkage, Wanted::AboutOrigin);
     summed(graph, &linkage, &stands)
 }
 
@@ -92,7 +99,7 @@ fn arrived(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec
             composite,
             columns: std::mem::take(&mut columns[body]),
             through_center: Vec::new(),
-            is_alone: lower.is_none() && n_roots == 1,
+            is_alone: stands.ignores_shifts && lower.is_none() && n_roots == 1,
             stand: lower.and_then(|lower| stands.links[lower]),
         };
         passages[body].inward(graph, &mut carried);
@@ -118,7 +125,7 @@ struct Carried<'a> {
     columns: Vec<Column>,
     /// Those of motions that move the mass centre along an axis with all bodies.
     through_center: Vec<Column>,
-    /// True for the only link on the inertial frame: all bodies move with it.
+    /// True for the only link on the inertial frame, with which all bodies move, if moments of its shifts are ignored.
     is_alone: bool,
     /// How the lower link stands, where columns leave it for inertial axes.
     stand: Option<Stand>,

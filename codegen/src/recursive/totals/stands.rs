@@ -78,8 +78,10 @@ impl Passenger for Stand {
 /// What columns are to be in the end.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Wanted {
-    /// Momenta about a point, which is given from the origin of the first link on the inertial frame.
-    About(Vector),
+    /// Momenta about the mass centre, which is given from the origin of the first link on the inertial frame.
+    AboutCenter(Vector),
+    /// Momenta about the inertial origin.
+    AboutOrigin,
     /// Linear momenta times a factor.
     Times(Expr),
 }
@@ -89,6 +91,8 @@ pub(super) struct Stands {
     pub(super) links: BodyMap<Option<Stand>>,
     /// About the origin of each link on the inertial frame.
     inertial: Stand,
+    /// True where the momentum of all bodies shifted as one has no moment, or none that is read.
+    pub(super) ignores_shifts: bool,
 }
 
 impl Stands {
@@ -98,12 +102,17 @@ impl Stands {
             tree, links, plan, ..
         } = linkage;
         let axes = graph.identity();
+        let about = |point| Stand {
+            rotation: axes,
+            has_factor: false,
+            point,
+        };
         let inertial = match wanted {
-            Wanted::About(point) => Stand {
-                rotation: axes,
-                has_factor: false,
-                point,
-            },
+            Wanted::AboutCenter(center) => about(center),
+            Wanted::AboutOrigin => {
+                let first = root::origin(graph, tree, &links[BodyId::new(0)], BodyId::new(0));
+                about(first.map(|entry| -entry))
+            }
             Wanted::Times(factor) => Stand {
                 rotation: axes.map(|axis| graph.scale(factor, axis)),
                 has_factor: graph.as_number(factor) != Some(1.0),
@@ -129,7 +138,11 @@ impl Stands {
                 Some(stand)
             },
         );
-        Self { links, inertial }
+        Self {
+            links,
+            inertial,
+            ignores_shifts: !matches!(wanted, Wanted::AboutOrigin),
+        }
     }
 
     /// The inertial frame, where a link on it has its origin.

@@ -89,7 +89,7 @@ pub(in crate::functions) fn gravity_forces(
 }
 
 /// Rows with a place for each speed.
-fn dense(graph: &mut ExprGraph, tree: &Tree, rows: &[Row]) -> SpeedMatrix {
+pub(super) fn dense(graph: &mut ExprGraph, tree: &Tree, rows: &[Row]) -> SpeedMatrix {
     let rows = rows.iter();
     rows.map(|row| entries(graph, row, 0..tree.n_speeds))
         .collect()

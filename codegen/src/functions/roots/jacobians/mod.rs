@@ -4,4 +4,5 @@ pub(in crate::functions) mod accelerations;
 mod bias;
 pub(in crate::functions) mod forces;
 pub(in crate::functions) mod hybrid;
+pub(in crate::functions) mod totals;
 mod turned;
