@@ -8,7 +8,7 @@ use super::{
     formulation::Formulation,
     multiplier::MULTIPLIER,
     shape::{Dimension, Shape},
-    subject::View,
+    subject::{Subject, View},
     terms::Terms,
     told::{Beside, KnownMatrix, ReadOff},
     unit::Unit,
@@ -69,7 +69,32 @@ pub struct Function {
 }
 
 /// By each argument that it tells, how the entries of the outputs change: rows are these, output after output, columns speeds.
-pub(super) type JacobiansFn = fn(&mut ExprGraph, &Tree, &Plan) -> Jacobians;
+#[derive(Clone, Copy, Debug)]
+pub(super) enum JacobiansFn {
+    /// Of the whole system.
+    OfSystem(fn(&mut ExprGraph, &Tree, &Plan) -> Jacobians),
+    /// Of frames.
+    OfFrames(fn(&mut ExprGraph, &Tree, &Plan, &Subject) -> Jacobians),
+}
+
+impl JacobiansFn {
+    /// Derives them, of the frames that the function is of.
+    pub(super) fn derive(
+        self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        plan: &Plan,
+        subject: Option<&Subject>,
+    ) -> Jacobians {
+        match self {
+            Self::OfSystem(jacobians) => jacobians(graph, tree, plan),
+            Self::OfFrames(jacobians) => {
+                let subject = subject.expect("functions: what is of a frame has one");
+                jacobians(graph, tree, plan, subject)
+            }
+        }
+    }
+}
 
 /// How a function changes with what it is given, a matrix for each argument; and its values, where the matrices needed them.
 #[derive(Debug, Default)]

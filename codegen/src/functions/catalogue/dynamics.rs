@@ -5,7 +5,7 @@ use crate::{
     functions::{
         argument::Argument,
         derivation::{Derivation, either},
-        function::{Function, MassMatrixUse, Output, PLAIN},
+        function::{Function, JacobiansFn, MassMatrixUse, Output, PLAIN},
         roots,
         shape::Shape,
         terms::Terms,
@@ -60,7 +60,7 @@ pub(super) const FORCING: Function = Function {
     trait_name: Some("Forcing"),
     arguments: &[Argument::Q, Argument::U, Argument::Loads],
     outputs: &[Output::new("f", Shape::SPEEDS, Unit::BySpeed(FORCE))],
-    derivatives: Some(roots::jacobians::forces::forcing),
+    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::forces::forcing)),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -81,7 +81,7 @@ pub(super) const BIAS: Function = Function {
         entries: roots::coriolis::bias_of_coriolis,
     }),
     is_default: true,
-    derivatives: Some(roots::jacobians::forces::bias),
+    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::forces::bias)),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -98,7 +98,7 @@ pub(super) const GRAVITY_FORCES: Function = Function {
     trait_name: Some("GravityForces"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
-    derivatives: Some(roots::jacobians::forces::gravity_forces),
+    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::forces::gravity_forces)),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     doc: &[
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
@@ -120,7 +120,7 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     is_default: true,
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
-    derivatives: Some(roots::jacobians::forces::inverse_dynamics),
+    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::forces::inverse_dynamics)),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -144,7 +144,7 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     is_default: true,
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
-    derivatives: Some(roots::jacobians::accelerations::forward_dynamics),
+    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::accelerations::forward_dynamics)),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::dynamics::inverse_dynamics),

@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, MassMatrixUse, Of, Output, PLAIN},
+    function::{Function, JacobiansFn, MassMatrixUse, Of, Output, PLAIN},
     roots,
     shape::Shape,
     subject::View,
@@ -70,6 +70,8 @@ pub(super) const POSE: Function = Function {
         "and the position of its origin from {origin}, {base} components, {position}. Also known as frame placement, forward kinematics.",
         "The transposed matrix maps the frame's components to {base} ones.",
     ],
+    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::frames::pose)),
+    derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::pose),
     ..PLAIN
 };

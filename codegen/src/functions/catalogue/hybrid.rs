@@ -4,7 +4,7 @@ use super::matrices::CORIOLIS_MATRIX;
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, MassMatrixUse, Output, PLAIN},
+    function::{Function, JacobiansFn, MassMatrixUse, Output, PLAIN},
     roots,
     shape::Shape,
     terms::Terms,
@@ -32,7 +32,7 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
     ],
     mass_matrix: MassMatrixUse::Accelerations,
     prescribes: true,
-    derivatives: Some(roots::jacobians::hybrid::hybrid_dynamics),
+    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::hybrid::hybrid_dynamics)),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[

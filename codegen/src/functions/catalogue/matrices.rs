@@ -4,7 +4,7 @@ use crate::{
     functions::{
         argument::Argument,
         derivation::{Derivation, either},
-        function::{Function, MassMatrixUse, Output, PLAIN},
+        function::{Function, JacobiansFn, MassMatrixUse, Output, PLAIN},
         roots,
         shape::Shape,
         terms::Terms,
@@ -39,7 +39,7 @@ pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
     arguments: &[Argument::Q, Argument::UDot],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
-    derivatives: Some(roots::jacobians::forces::mass_matrix_product),
+    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::forces::mass_matrix_product)),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -62,7 +62,7 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     )],
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
-    derivatives: Some(roots::jacobians::accelerations::mass_matrix_solve),
+    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::accelerations::mass_matrix_solve)),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::matrices::product),

@@ -41,7 +41,8 @@ impl Part {
         let derivative = self.differentiated();
         let others = derivative.by.iter().filter(|by| !is_known(by));
         let others = others.cloned().collect();
-        let told = jacobians(&mut derived.graph, tree, plan);
+        let subject = self.subject.as_ref();
+        let told = jacobians.derive(&mut derived.graph, tree, plan, subject);
         let others = Derivative::new(DerivativeKind::Jacobian, others);
         let mut others = self
             .matrices_of_others(derived, tree, (formulation, plan), others, &told)

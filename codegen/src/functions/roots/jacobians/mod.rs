@@ -1,8 +1,9 @@
-//! Derivatives of dynamics in a way of their own, a matrix for each variable.
+//! Derivatives that have a way of their own, a matrix for each variable.
 
 pub(in crate::functions) mod accelerations;
 mod bias;
 pub(in crate::functions) mod forces;
+pub(in crate::functions) mod frames;
 pub(in crate::functions) mod hybrid;
 pub(in crate::functions) mod totals;
 mod turned;

@@ -104,7 +104,7 @@ fn of_momentum(
 }
 
 /// By coordinates, swept for.
-fn by_coordinates(
+pub(super) fn by_coordinates(
     graph: &mut ExprGraph,
     tree: &Tree,
     sweep: Sweep,
