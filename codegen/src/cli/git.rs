@@ -100,7 +100,7 @@ impl Revision {
     /// Reads a file that stands beside this one, in the same revision.
     pub(crate) fn beside(&self, path: &str) -> io::Result<Vec<u8>> {
         let joined = paths::parent(Path::new(&self.path)).join(path);
-        let from_here = self.path.starts_with('.');
+        let from_here = self.is_from_here();
         let joined =
             paths::with_slashes(&clean_path(&joined)).ok_or(io::ErrorKind::InvalidInput)?;
         let beside = Self {
@@ -115,9 +115,14 @@ impl Revision {
         bytes.map_err(|failures| io::Error::other(failures.to_string()))
     }
 
+    /// True for a path that git reads from the current folder, and not from the root of the repository.
+    fn is_from_here(&self) -> bool {
+        self.path.starts_with("./") || self.path.starts_with("../")
+    }
+
     /// Where the file stands among the user's own, if it does.
     pub(crate) fn own_file(&self) -> Option<PathBuf> {
-        if self.path.starts_with('.') {
+        if self.is_from_here() {
             return Some(PathBuf::from(&self.path));
         }
         let output = git(&["rev-parse", "--show-toplevel"]).ok()?;

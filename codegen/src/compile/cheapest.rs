@@ -1,6 +1,6 @@
 //! The cheapest plan of any function: that of its values, and the cheapest way to differentiate these.
 //!
-//! In: the plans of values, a function. Out: a [`Planned`] of the recursion. Columns of what is long go in lockstep.
+//! In: the plans of values, a function. Out: a [`Planned`], parts of which may be by the notes. Columns of what is long go in lockstep.
 
 use crate::{
     functions::{Arrangement, Formulation, Request},
@@ -31,12 +31,7 @@ pub(super) fn cheapest_recursion(plans: &Plans<'_>, request: &Request) -> Planne
 
 fn cheapest_by(plans: &Plans<'_>, request: &Request, may_mix: bool) -> Planned {
     let best = one_by_one(plans, request, may_mix);
-    let has_columns = if request.differentiates() {
-        best.arrangement.uses(Technique::DirectDerivatives)
-    } else {
-        request.inverts()
-    };
-    if has_columns {
+    if request.has_columns(&best.arrangement) {
         in_lockstep(plans, request, best)
     } else {
         best

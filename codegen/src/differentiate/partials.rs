@@ -46,9 +46,10 @@ pub(super) fn partials(
     found
 }
 
-/// `a / |a|`; zero where `a` is: what is added is less than any rounding of another size.
+/// `a / |a|`; zero where `a` is: what is added is not zero in single precision, and less than the rounding of sizes from `1e-22` on.
 fn sign(graph: &mut ExprGraph, a: NodeId) -> Expr {
-    let (size, least) = (graph.abs(Expr::of(a)), graph.number(f64::MIN_POSITIVE));
+    let least = graph.number(f64::from(f32::MIN_POSITIVE));
+    let size = graph.abs(Expr::of(a));
     let size = graph.add(size, least);
     graph.div(Expr::of(a), size)
 }

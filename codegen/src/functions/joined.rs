@@ -75,6 +75,12 @@ impl Request {
         Arrangement::new(self.parts().iter().map(of_part))
     }
 
+    /// True where columns may go several at a time, if parts are derived by these plans.
+    pub fn has_columns(&self, arrangement: &Arrangement) -> bool {
+        let mut parts = self.parts().iter().enumerate();
+        parts.any(|(place, part)| part.has_columns(arrangement.plan(place)))
+    }
+
     /// True where a part may be read off what another finds, if that is derived by its plan.
     pub fn may_read_off(&self, arrangement: &Arrangement, place: usize) -> bool {
         let read = &self.parts()[place];

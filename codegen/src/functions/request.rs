@@ -318,7 +318,7 @@ impl Request {
     /// True where some of these are of accelerations that forces make.
     pub fn differentiates_accelerations(&self) -> bool {
         let mut parts = self.parts.iter();
-        parts.any(|part| part.has_direct_derivatives() && part.function.solves())
+        parts.any(Part::differentiates_accelerations)
     }
 
     /// True where all second derivatives are of accelerations that forces make, and there are some.

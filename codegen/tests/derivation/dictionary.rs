@@ -10,7 +10,9 @@ fn names_of_other_tools_lead_to_ours() {
         ("aba", "forward_dynamics"),
         ("nle", "bias"),
         ("computeMinverse", "mass_matrix_inverse"),
-        ("mj_jac", "jacobian(FRAME)"),
+        ("mj_jac", "point_jacobian(FRAME)"),
+        ("mj_jacBody", "jacobian(FRAME)"),
+        ("getVelocity", "velocity(FRAME)"),
         ("computeFrameJacobian", "jacobian(FRAME)"),
         (
             "CalcJacobianTranslationalVelocity",
@@ -33,7 +35,7 @@ fn names_of_other_tools_lead_to_ours() {
 
 #[test]
 fn unknown_names_are_met_with_advice() {
-    assert_eq!(advice("rnea"), "here it is called `inverse_dynamics`");
+    assert_eq!(advice("crba"), "here it is called `mass_matrix`");
     assert_eq!(advice("biass"), "did you mean `bias`?");
     assert_eq!(
         advice("tool0_point_jacobian"),
@@ -64,15 +66,15 @@ fn unknown_names_are_met_with_advice() {
     }
     assert_eq!(
         advice("all"),
-        "it means several functions, and stands alone where several can be asked for"
+        "it means several functions, and stands alone; for several in one write a sum such as `mass_matrix+bias`"
     );
     assert!(
         advice("getFrameAcceleration")
-            .ends_with("that of Pinocchio's spatial acceleration is less by `ω × v`")
+            .ends_with("that of a spatial acceleration is less by `ω × v`")
     );
     assert_eq!(
         advice("nle"),
-        "here it is called `bias`, of which springs and dampers are part"
+        "here it is called `bias`, in which springs and dampers of joints act"
     );
     assert_eq!(
         advice("angular_jacobian"),
@@ -80,8 +82,13 @@ fn unknown_names_are_met_with_advice() {
     );
     assert_eq!(
         advice("dccrba"),
-        "here it is called `centroidal_momentum_matrix_dot_u`, which is the matrix `A_G_dot` times `u`; there is none of the matrix alone"
+        "here it is called `jvp(centroidal_momentum_matrix; q)`, with `u` for `q_direction`; times `u` it is `centroidal_momentum_matrix_dot_u`"
     );
+    assert_eq!(
+        advice("computeCentroidalMomentum"),
+        "it is `centroidal_momentum_matrix` times `u`; `angular_momentum` is about the inertial origin"
+    );
+    assert_eq!(advice("osim"), advice("operational_space_inertia"));
     assert!(advice("totalMass").starts_with("`inertial_parameters` writes the masses"));
     assert_eq!(advice("defualt"), "did you mean `default`?");
     assert!(advice("spatial_jacobian").ends_with("none is about the inertial origin"));

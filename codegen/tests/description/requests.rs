@@ -137,7 +137,7 @@ fn what_is_missing_or_misplaced_is_said() {
         ("hessian(bias; q,)", "expected a variable"),
         (
             "mass_matrix bias",
-            "functions stand with commas between them",
+            "`+` joins functions in one; several have commas between them",
         ),
         (
             "sin_cos",

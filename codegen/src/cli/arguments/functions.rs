@@ -15,7 +15,8 @@ pub(crate) fn request(text: &str) -> Result<Parsed, Failures> {
 
 /// The names in what `--functions` was given, each time it stood there: commas inside brackets separate none.
 pub(super) fn names(lists: &[String]) -> Vec<&str> {
-    lists.iter().flat_map(|list| split(list)).collect()
+    let names = lists.iter().flat_map(|list| split(list));
+    names.map(str::trim).collect()
 }
 
 /// The function to which `kane.toml` gives this name.
@@ -59,7 +60,7 @@ pub(crate) fn functions(lists: &[String]) -> Result<Functions, Failures> {
     let mut failures = Failures::default();
     for (index, name) in names.iter().enumerate() {
         let request = (!is_set(name)).then(|| request(name)).transpose();
-        if name.trim().is_empty() {
+        if name.is_empty() {
             failures.add(Failures::message(
                 "--functions has no name between two commas, or behind the last",
             ));

@@ -130,7 +130,12 @@ impl Selection {
             command.push_str(&quoted(text));
         };
         if let Some(model) = &self.model {
-            push(&model.to_string_lossy());
+            let model = model.to_string_lossy();
+            if model.starts_with('-') {
+                push(&format!("./{model}"));
+            } else {
+                push(&model);
+            }
         }
         if let Some(output) = &self.output {
             push("--output");

@@ -98,7 +98,9 @@ pub(super) const GRAVITY_FORCES: Function = Function {
     trait_name: Some("GravityForces"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::forces::gravity_forces)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::forces::gravity_forces,
+    )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     doc: &[
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
@@ -120,7 +122,9 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     is_default: true,
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::forces::inverse_dynamics)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::forces::inverse_dynamics,
+    )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -144,7 +148,9 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     is_default: true,
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::accelerations::forward_dynamics)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::accelerations::forward_dynamics,
+    )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::dynamics::inverse_dynamics),

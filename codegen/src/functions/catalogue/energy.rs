@@ -23,7 +23,9 @@ pub(super) const KINETIC_ENERGY: Function = Function {
     outputs: &[Output::new("energy", Shape::SCALAR, Unit::Of(&["J"]))],
     is_default: true,
     doc: &["Kinetic energy in the inertial frame, {energy}."],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::totals::kinetic_energy)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::totals::kinetic_energy,
+    )),
     derivatives_like: Some(&MASS_MATRIX_PRODUCT),
     derivation: either!(kane::energy::kinetic, totals::energy::kinetic),
     ..PLAIN
@@ -39,7 +41,9 @@ pub(super) const POTENTIAL_ENERGY: Function = Function {
         "Potential energy, {energy}: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.",
     ],
     techniques: &[Technique::Weights],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::totals::potential_energy)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::totals::potential_energy,
+    )),
     derivatives_like: Some(&GRAVITY_FORCES),
     derivation: either!(kane::energy::potential, totals::energy::potential),
     ..PLAIN
@@ -55,7 +59,9 @@ pub(super) const LINEAR_MOMENTUM: Function = Function {
         Unit::Of(&["kg m/s"]),
     )],
     doc: &["Linear momentum of all bodies: inertial components, {momentum}."],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::totals::linear_momentum)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::totals::linear_momentum,
+    )),
     derivatives_like: Some(&CENTROIDAL_MOMENTUM_MATRIX),
     derivation: either!(kane::energy::linear_momentum, totals::momentum::linear),
     ..PLAIN
@@ -73,7 +79,9 @@ pub(super) const ANGULAR_MOMENTUM: Function = Function {
     doc: &[
         "Angular momentum of all bodies about the inertial origin: inertial components, {momentum}.",
     ],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::totals::angular_momentum)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::totals::angular_momentum,
+    )),
     derivatives_like: Some(&CENTROIDAL_MOMENTUM_MATRIX),
     derivation: either!(kane::energy::angular_momentum, totals::momentum::angular),
     ..PLAIN

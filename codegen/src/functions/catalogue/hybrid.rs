@@ -32,7 +32,9 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
     ],
     mass_matrix: MassMatrixUse::Accelerations,
     prescribes: true,
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::hybrid::hybrid_dynamics)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::hybrid::hybrid_dynamics,
+    )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[

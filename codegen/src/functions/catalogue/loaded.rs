@@ -18,7 +18,9 @@ pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::forces::loaded_inverse_dynamics)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::forces::loaded_inverse_dynamics,
+    )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -42,7 +44,9 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     )],
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::accelerations::loaded_forward_dynamics)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::accelerations::loaded_forward_dynamics,
+    )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::loaded::loaded_inverse_dynamics),

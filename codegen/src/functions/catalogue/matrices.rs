@@ -39,7 +39,9 @@ pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
     arguments: &[Argument::Q, Argument::UDot],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::forces::mass_matrix_product)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::forces::mass_matrix_product,
+    )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -62,7 +64,9 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     )],
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::accelerations::mass_matrix_solve)),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::accelerations::mass_matrix_solve,
+    )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::matrices::product),

@@ -1,7 +1,7 @@
 //! Words that users look for and that name no function and no frame.
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 17] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 20] = [
     (
         "`jacobian(FRAME)` is about the frame's origin, along inertial axes; none is about the inertial origin",
         &["spatialjacobian"],
@@ -17,6 +17,7 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 17] = [
             "constraintdynamics",
             "constrainedforwarddynamics",
             "kkt",
+            "forwarddynamicscontactsdirect",
         ],
     ),
     (
@@ -28,9 +29,23 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 17] = [
         &["limits", "jointlimits", "positionlimits", "torquelimits"],
     ),
     (
+        "it is `centroidal_momentum_matrix` times `u`; `angular_momentum` is about the inertial origin",
+        &["centroidalmomentum", "hg", "subtreeangmom"],
+    ),
+    (
+        "`regressor` writes forces of joints; none writes the wrench of one body",
+        &["bodyregressor", "jointbodyregressor"],
+    ),
+    (
+        "a sum does all in one function, such as `mass_matrix+bias`",
+        &["allterms"],
+    ),
+    (
         "`operational_inverse_inertia(FRAME)` writes its inverse",
         &[
             "lambda",
+            "osim",
+            "effectivemass",
             "taskinertia",
             "operationalinertia",
             "operationalspaceinertia",
@@ -54,8 +69,8 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 17] = [
         &["lqr", "dlqr", "riccati"],
     ),
     (
-        "dampers of joints are part of `bias`",
-        &["damping", "damper", "viscousfriction"],
+        "springs and dampers of joints are part of `bias`",
+        &["damping", "damper", "viscousfriction", "qfrcpassive"],
     ),
     (
         "no step here is implicit: build one from `d(inverse_dynamics)/d(q, u, u_dot)`, by Newton iteration or in an optimiser",

@@ -20,8 +20,21 @@ const BEFORE: [&str; 6] = ["compute", "calc", "get", "eval", "pinocchio", "data"
 pub fn elsewhere(name: &str) -> Option<&'static str> {
     let words = words(name);
     let mut own = Function::names().into_iter();
-    let own = own.find(|own| words.contains(&plain(own)));
-    own.or_else(|| found(&REQUESTS, &words))
+    match own.find(|own| words.contains(&plain(own))) {
+        Some(own) => Some(with_frame(own)),
+        None => found(&REQUESTS, &words),
+    }
+}
+
+/// Our function, as it is asked for of a frame.
+fn with_frame(own: &'static str) -> &'static str {
+    let mut requests = REQUESTS.iter().map(|(request, _)| *request);
+    let of_frame = requests.find(|request| {
+        request
+            .strip_prefix(own)
+            .is_some_and(|rest| rest == "(FRAME)")
+    });
+    of_frame.unwrap_or(own)
 }
 
 /// A name, and what follows the words with which names of other tools begin.
@@ -64,9 +77,10 @@ pub fn advice(name: &str) -> String {
     } else if name == "sin_cos" {
         "a module has it beside functions such as `bias(sin_cos)`".to_owned()
     } else if is_list(name) {
-        "functions stand with commas between them".to_owned()
+        "`+` joins functions in one; several have commas between them".to_owned()
     } else if ["all", "default"].contains(&name) {
-        "it means several functions, and stands alone where several can be asked for".to_owned()
+        "it means several functions, and stands alone; for several in one write a sum such as `mass_matrix+bias`"
+            .to_owned()
     } else if let Some(near) = nearest(name, &known()) {
         format!("did you mean `{near}`?")
     } else if name.contains(['(', '+']) {

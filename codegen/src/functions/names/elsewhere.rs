@@ -2,14 +2,22 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, and other names of the same.
-pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
+pub(super) const REQUESTS: [(&str, &[&str]); 53] = [
     (
         "inverse_dynamics",
-        &["rnea", "rne", "id", "newtoneuler", "mjinverse"],
+        &[
+            "qfrcinverse",
+            "rnea",
+            "rne",
+            "id",
+            "newtoneuler",
+            "mjinverse",
+        ],
     ),
     (
         "mass_matrix",
         &[
+            "qm",
             "crba",
             "compositerigidbodyalgorithm",
             "m",
@@ -54,11 +62,22 @@ pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
     ),
     (
         "mass_matrix_factors",
-        &["cholesky", "choleskydecompose", "qld", "sparsefactorizeltl"],
+        &[
+            "mjfactorm",
+            "cholesky",
+            "choleskydecompose",
+            "qld",
+            "sparsefactorizeltl",
+        ],
     ),
     (
         "pose(FRAME)",
         &[
+            "frameplacement",
+            "frameplacements",
+            "updateframeplacements",
+            "bodyposeinworld",
+            "homogeneoustransform",
             "fk",
             "fkine",
             "forwardkinematics",
@@ -122,13 +141,13 @@ pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
             "geometricjacobian",
             "contactjacobian",
             "taskjacobian",
-            "mjjac",
             "mjjacbody",
             "mjjacsite",
             "pointjacobian6d",
             "jacobianspatialvelocity",
         ],
     ),
+    ("point_jacobian(FRAME)", &["mjjac", "mjjacbodycom"]),
     ("jacobian(FRAME, local)", &["bodyjacobian", "jacobe"]),
     (
         "linear_jacobian(FRAME)",
@@ -143,16 +162,24 @@ pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
     (
         "jacobian_dot_u(FRAME)",
         &[
-            "jacobiantimevariation",
-            "jdot",
             "jdotv",
             "jdotqdot",
-            "jacobiandot",
-            "framejacobiantimevariation",
-            "mjjacdot",
             "biasspatialacceleration",
             "drift",
             "driftacceleration",
+        ],
+    ),
+    (
+        "jvp(jacobian(FRAME); q)",
+        &[
+            "jdot",
+            "jacobiandot",
+            "jacobiantimederivative",
+            "jacobiantimevariation",
+            "jointjacobiantimevariation",
+            "jointjacobianstimevariation",
+            "framejacobiantimevariation",
+            "mjjacdot",
         ],
     ),
     (
@@ -167,7 +194,6 @@ pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
             "delassusmatrix",
             "efcar",
             "operationalspaceinverseinertia",
-            "osim",
             "jminvjt",
         ],
     ),
@@ -201,23 +227,17 @@ pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
     ),
     (
         "centroidal_momentum_matrix",
-        &["cmm", "ccrba", "ag", "mjangmommat"],
+        &["centroidalmap", "cmm", "ccrba", "ag", "mjangmommat"],
     ),
-    (
-        "linear_momentum+angular_momentum",
-        &["momentum", "centroidalmomentum"],
-    ),
+    ("linear_momentum+angular_momentum", &["momentum"]),
     (
         "kinetic_energy+potential_energy",
-        &["energy", "totalenergy"],
+        &["mechanicalenergy", "energy", "totalenergy"],
     ),
     ("kinetic_energy", &["mjenergyvel", "ke"]),
     ("potential_energy", &["mjenergypos", "pe"]),
     ("normalize", &["mjnormalizequat"]),
-    (
-        "regressor",
-        &["jointtorqueregressor", "torqueregressor", "bodyregressor"],
-    ),
+    ("regressor", &["jointtorqueregressor", "torqueregressor"]),
     (
         "inertial_parameters",
         &[
@@ -235,12 +255,11 @@ pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
     ("hybrid_dynamics", &["hybrid", "hybridaba", "fdab"]),
     (
         "centroidal_momentum_matrix_dot_u",
-        &[
-            "dccrba",
-            "dag",
-            "momentumrate",
-            "centroidalmomentumtimevariation",
-        ],
+        &["momentumrate", "centroidalmomentumtimevariation"],
+    ),
+    (
+        "jvp(centroidal_momentum_matrix; q)",
+        &["dccrba", "dag", "centroidalmaptimevariation"],
     ),
     (
         "joint_wrenches",
@@ -256,6 +275,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
     (
         "d(inverse_dynamics)/d(q, u, u_dot)",
         &[
+            "idderivatives",
             "rneaderivatives",
             "idsva",
             "inversedynamicsderivatives",
@@ -277,6 +297,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
             "mjdtransitionfd",
         ],
     ),
+    ("loaded_inverse_dynamics", &["statictorque"]),
     ("d(gravity_forces)/d(q)", &["generalizedgravityderivatives"]),
     (
         "d(loaded_inverse_dynamics)/d(q)",
@@ -305,22 +326,63 @@ pub(super) const REQUESTS: [(&str, &[&str]); 49] = [
 ];
 
 /// What to say beside the request, of names that mean something a little different.
-pub(super) const REMARKS: [(&str, &[&str]); 6] = [
+pub(super) const REMARKS: [(&str, &[&str]); 13] = [
     (
-        "whose linear part is the acceleration of the frame's origin; that of Pinocchio's spatial acceleration is less by `ω × v`",
-        &["frameacceleration", "frameaccelerationderivatives"],
+        "whose linear part is the acceleration of the frame's origin; that of a spatial acceleration is less by `ω × v`",
+        &[
+            "frameacceleration",
+            "frameaccelerationderivatives",
+            "spatialacceleration",
+        ],
     ),
     (
-        "of which springs and dampers are part",
-        &["nle", "nonlineareffects", "qfrcbias", "mjrne"],
+        "without gravity, which MuJoCo subtracts",
+        &["mjobjectacceleration"],
     ),
+    (
+        "in which springs and dampers of joints act",
+        &[
+            "rnea",
+            "aba",
+            "nle",
+            "nonlineareffects",
+            "qfrcbias",
+            "mjrne",
+            "rneaderivatives",
+            "abaderivatives",
+        ],
+    ),
+    (
+        "of which gravity, springs and dampers are part",
+        &["biasterm"],
+    ),
+    ("with the other sign", &["gravitygeneralizedforces"]),
+    ("at rest", &["statictorque"]),
+    ("about the inertial origin", &["momentum"]),
     (
         "of all bodies; there is none of a subtree",
         &["subtreecom", "subtreelinvel", "mjjacsubtreecom"],
     ),
     (
-        "which is the matrix `A_G_dot` times `u`; there is none of the matrix alone",
-        &["dccrba", "dag"],
+        "with `u` for `q_direction`; times `u` it is `centroidal_momentum_matrix_dot_u`",
+        &["dccrba", "dag", "centroidalmaptimevariation"],
+    ),
+    (
+        "with `u` for `q_direction`; times `u` it is `jacobian_dot_u(FRAME)`",
+        &[
+            "jdot",
+            "jacobiandot",
+            "jacobiantimederivative",
+            "jacobiantimevariation",
+            "jointjacobiantimevariation",
+            "jointjacobianstimevariation",
+            "framejacobiantimevariation",
+            "mjjacdot",
+        ],
+    ),
+    (
+        "of a point that is given; of the frame's origin it is `jacobian(FRAME)`",
+        &["mjjac", "mjjacbodycom"],
     ),
     (
         "which is the rate for `u_dot = 0`: add `centroidal_momentum_matrix` times `u_dot`",

@@ -5,6 +5,7 @@ use super::{
     route::{Direct, Route},
 };
 use crate::{
+    expr::Expr,
     functions::{
         derivatives::{
             derivative::{Asked, Derivative, sweep},
@@ -15,7 +16,6 @@ use crate::{
         function::{Function, InverseDynamicsFn},
         told::Told,
     },
-    expr::Expr,
     recursive::{Plan, Technique},
     tree::{Tree, Value},
 };

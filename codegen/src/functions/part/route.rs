@@ -5,8 +5,8 @@ use crate::{
     functions::{
         derivatives::{derivative::DerivativeKind, jacobians::is_known},
         formulation::Formulation,
+        function::{Function, InverseDynamicsFn, JacobiansFn, MassMatrixUse},
         variable::Variable,
-        function::{Function, InverseDynamicsFn, JacobiansFn},
     },
     recursive::{Plan, Technique},
     tree::Tree,
@@ -99,6 +99,28 @@ impl Part {
     /// True where derivatives have a way of their own, beside the sweeps.
     pub(in crate::functions) fn has_direct_derivatives(&self) -> bool {
         self.direct().is_some()
+    }
+
+    /// True where some of them are of accelerations that forces make, by matrices.
+    pub(in crate::functions) fn differentiates_accelerations(&self) -> bool {
+        let has_matrices = matches!(self.direct(), Some(Direct::Matrices(_) | Direct::Second(_)));
+        has_matrices && self.function.solves()
+    }
+
+    /// True where columns may go several at a time by this plan: those of derivatives by matrices, and of the inverse.
+    pub(in crate::functions) fn has_columns(&self, plan: &Plan) -> bool {
+        let inverts = |function: &Function| function.mass_matrix == MassMatrixUse::Inverse;
+        if self.derivative.is_none() {
+            return inverts(self.function);
+        }
+        let direct = self
+            .direct()
+            .filter(|_| plan.uses(Technique::DirectDerivatives));
+        match direct {
+            Some(Direct::Function(function)) => inverts(function),
+            Some(Direct::Matrices(_) | Direct::Second(_)) => true,
+            Some(Direct::Solved(_)) | None => false,
+        }
     }
 
     /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, second ones, and

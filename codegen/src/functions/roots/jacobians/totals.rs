@@ -45,7 +45,10 @@ pub(in crate::functions) fn kinetic_energy(
     plan: &Plan,
 ) -> Jacobians {
     let product = matrices::product(graph, tree, Way::Recursive(plan));
-    let speeds: Vec<Expr> = Argument::U.inputs(tree).map(|own| graph.input(own)).collect();
+    let speeds: Vec<Expr> = Argument::U
+        .inputs(tree)
+        .map(|own| graph.input(own))
+        .collect();
     let speeds: BTreeMap<Input, Expr> = Argument::UDot.inputs(tree).zip(speeds).collect();
     let by_u = graph.substituted(&product, &speeds);
     let energy = energy::kinetic(graph, tree, plan);
