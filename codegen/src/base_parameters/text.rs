@@ -7,6 +7,10 @@ use crate::{
     tree::{BaseParameter, Tree},
 };
 
+/// Factors beyond these are written with a power of ten.
+const LEAST: f64 = 1e-4;
+const MOST: f64 = 1e7;
+
 /// The sum as text, its factors to six digits: `mcx(upper) + 0.32 m(fore)`.
 pub fn text(tree: &Tree, parameter: &BaseParameter) -> String {
     let mut text = String::new();
@@ -19,7 +23,9 @@ pub fn text(tree: &Tree, parameter: &BaseParameter) -> String {
         };
         text.push_str(sign);
         let rounded: f64 = format!("{:.5e}", factor.abs()).parse().unwrap_or(*factor);
-        if rounded != 1.0 {
+        if !(LEAST..MOST).contains(&rounded) {
+            let _ = write!(text, "{rounded:e} ");
+        } else if rounded != 1.0 {
             let _ = write!(text, "{rounded} ");
         }
         let body = &tree.body(own.body).name;

@@ -28,17 +28,28 @@ pub struct Meaning {
 /// # Errors
 /// A text that is not Rust.
 pub fn meanings(old: &str, new: &str) -> Result<Vec<Meaning>, syn::Error> {
-    let old: BTreeMap<String, String> = rust::read(old, |file| said(&file))?.into_iter().collect();
+    let old: BTreeMap<String, Said> = rust::read(old, |file| said(&file))?.into_iter().collect();
     let new = rust::read(new, |file| said(&file))?.into_iter();
     let changed = new.filter_map(|(name, new)| {
-        let old = old.get(&name).filter(|old| **old != new)?.clone();
-        Some(Meaning { name, old, new })
+        let old = old.get(&name).filter(|old| old.meaning != new.meaning)?;
+        Some(Meaning {
+            name,
+            old: old.shown.clone(),
+            new: new.shown,
+        })
     });
     Ok(changed.collect())
 }
 
+/// What a module says of a place: what it means whatever names are, and that for people.
+#[derive(Clone)]
+struct Said {
+    meaning: String,
+    shown: String,
+}
+
 /// What a module says, place by place.
-fn said(file: &File) -> Vec<(String, String)> {
+fn said(file: &File) -> Vec<(String, Said)> {
     let names = |name| -> Vec<String> {
         let names = list(file, name).into_iter();
         names.filter_map(string).collect()
@@ -47,23 +58,30 @@ fn said(file: &File) -> Vec<(String, String)> {
     let joints = list(file, constants::JOINTS).into_iter();
     let units = joints.flat_map(coordinates).filter_map(|(place, kind)| {
         let name = coordinate_names.get(place)?;
-        Some((format!("q of {name}"), kind.unit().to_owned()))
+        let unit = kind.unit().to_owned();
+        let said = Said {
+            meaning: unit.clone(),
+            shown: unit,
+        };
+        Some((format!("q of {name}"), said))
     });
-    let mut said: Vec<(String, String)> = units.collect();
+    let mut said: Vec<(String, Said)> = units.collect();
     let prescribed = constant(file, PRESCRIBED).map(entries);
     said.extend(prescribed.map(|flags| {
-        let speeds = names(constants::SPEED_NAMES);
-        let given = speeds
-            .into_iter()
-            .zip(flags)
-            .filter(|(_, flag)| is_true(flag));
+        let flags: Vec<bool> = flags.iter().map(|flag| is_true(flag)).collect();
+        let speeds = names(constants::SPEED_NAMES).into_iter();
+        let given = speeds.zip(&flags).filter(|(_, flag)| **flag);
         let given: Vec<String> = given.map(|(name, _)| name).collect();
         let given = if given.is_empty() {
             "none".to_owned()
         } else {
             given.join(", ")
         };
-        ("prescribed speeds".to_owned(), given)
+        let said = Said {
+            meaning: format!("{flags:?}"),
+            shown: given,
+        };
+        ("prescribed speeds".to_owned(), said)
     }));
     said
 }

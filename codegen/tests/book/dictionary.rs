@@ -37,11 +37,13 @@ fn code(cell: &str) -> Vec<String> {
 fn our_names_are_requests() {
     let rows = rows();
     assert!(rows.len() > 20, "{rows:?}");
-    for request in rows.iter().flat_map(|cells| &cells[0]) {
+    let requests = rows.iter().flat_map(|cells| &cells[0]);
+    let is_argument = |request: &&String| ["u", "q_direction"].contains(&request.as_str());
+    for request in requests.filter(|request| !is_argument(request)) {
         Parsed::read(request).unwrap_or_else(|_| panic!("{request} is no request"));
-        let function = request.split(['(', ')']).find(|part| part.len() > 1);
+        let mut words = request.split(['(', ')', ';']);
         assert!(
-            Function::names().contains(&function.unwrap()),
+            words.any(|word| Function::names().contains(&word)),
             "{request} is of no function"
         );
     }

@@ -436,7 +436,7 @@ fn what_cannot_be_differentiated_is_told_why() {
         ),
         (
             "d(bias)/d(pole_maas)",
-            "`pole_maas` is no variable of `bias`, which can be differentiated by `q`, `u`, `parameters`, `pole_mass`; did you mean `pole_mass`?",
+            "`pole_maas` is no variable of `bias`; did you mean `pole_mass`? It can be differentiated by `q`, `u`, `parameters`, `pole_mass`",
         ),
         (
             "jvp(bias; pole_mass)",

@@ -196,7 +196,7 @@ fn joints_of_the_command_line_have_no_place_in_kane_toml() {
     let project = project(&followed("joint = [\"theta3\"]"), r#"["shulder"]"#, "");
     let ran = project.kane(&["generate", "models/arm.toml", "--prescribed", "hand"]);
     assert_eq!((ran.code, ran.out.as_str()), (2, ""));
-    insta::assert_snapshot!(ran.err, @"error: the joint `hand` has no speed of its own: it follows `shoulder`; prescribe `shoulder`, which moves both");
+    insta::assert_snapshot!(ran.err, @"error: `models/arm.toml`: the joint `hand` has no speed of its own: it follows `shoulder`; prescribe `shoulder`, which moves both");
     for command in [
         &["info", "models/arm.toml"][..],
         &["check", "models/arm.toml"],
@@ -205,7 +205,7 @@ fn joints_of_the_command_line_have_no_place_in_kane_toml() {
         assert_eq!(ran.code, 2);
         assert!(
             ran.err
-                .starts_with("error: the joint `hand` has no speed of its own"),
+                .starts_with("error: `models/arm.toml`: the joint `hand` has no speed of its own"),
             "{}",
             ran.err
         );

@@ -234,6 +234,7 @@ fn of_dynamics() -> impl Iterator<Item = (&'static str, Technique)> {
         Technique::Inward,
         Technique::Levers,
         Technique::Weights,
+        Technique::Rates,
         Technique::DirectDerivatives,
         Technique::Reverse,
         Technique::Carriers,

@@ -429,7 +429,7 @@ fn unknown_function_is_told_with_what_was_meant() {
 #[test]
 fn computed_neighbours_stay_apart_unless_they_are_products_with_the_same_factors() {
     let options = Options {
-        functions: named(&["forward_dynamics", "d(forward_dynamics)/d(tau)"]),
+        functions: named(&["forward_dynamics", "d(forward_dynamics)/d(u, tau)"]),
         ..Options::default()
     };
     let source = Source::new("chain.toml", hinges(2));

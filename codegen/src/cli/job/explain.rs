@@ -37,7 +37,9 @@ impl Job {
                     self.placed(faults, |listing, fault| listing.prescribed.fault(fault));
                 let mut failures = placed;
                 if !others.is_empty() {
-                    failures.add(Error::Prescribed(others));
+                    let others = Error::Prescribed(others);
+                    let model = self.model.display();
+                    failures.add(Failures::message(format!("`{model}`: {others}")));
                 }
                 failures
             }

@@ -1,4 +1,4 @@
-//! JSON for people and for programs: a list or object of plain values stands on one line, all else is indented.
+//! JSON for people and for programs: a list or object of plain values, or a list of places, stands on one line, all else is indented.
 
 use std::io::{self, Write};
 
@@ -8,6 +8,12 @@ use serde_json::{Value, json};
 /// Writes the value and a line end.
 pub(crate) fn write(out: &mut dyn Write, value: &Value) -> io::Result<()> {
     nested(out, value, 0)?;
+    writeln!(out)
+}
+
+/// Writes an object of several values, whose keys keep this order, and a line end.
+pub(crate) fn write_object(out: &mut dyn Write, items: &[(String, Value)]) -> io::Result<()> {
+    object(out, items.iter().map(|(key, item)| (key.as_str(), item)), 0)?;
     writeln!(out)
 }
 
@@ -36,10 +42,8 @@ pub(crate) fn operations(operations: &Operations) -> Value {
 }
 
 fn nested(out: &mut dyn Write, value: &Value, depth: usize) -> io::Result<()> {
-    let indent = |depth: usize| "  ".repeat(depth);
-    let is_plain = |value: &Value| !value.is_array() && !value.is_object();
     match value {
-        Value::Array(items) if !items.iter().all(is_plain) => {
+        Value::Array(items) if !items.iter().all(|item| is_plain(item) || is_pair(item)) => {
             writeln!(out, "[")?;
             for (index, item) in items.iter().enumerate() {
                 write!(out, "{}", indent(depth + 1))?;
@@ -48,18 +52,17 @@ fn nested(out: &mut dyn Write, value: &Value, depth: usize) -> io::Result<()> {
             }
             write!(out, "{}]", indent(depth))
         }
-        Value::Object(items) if !items.values().all(is_plain) => {
-            writeln!(out, "{{")?;
-            for (index, (key, item)) in items.iter().enumerate() {
-                write!(out, "{}{}: ", indent(depth + 1), Value::from(key.as_str()))?;
-                nested(out, item, depth + 1)?;
-                writeln!(out, "{}", if index + 1 < items.len() { "," } else { "" })?;
-            }
-            write!(out, "{}}}", indent(depth))
-        }
         Value::Array(items) => {
-            let items: Vec<String> = items.iter().map(Value::to_string).collect();
-            write!(out, "[{}]", items.join(", "))
+            write!(out, "[")?;
+            for (index, item) in items.iter().enumerate() {
+                nested(out, item, depth)?;
+                write!(out, "{}", if index + 1 < items.len() { ", " } else { "" })?;
+            }
+            write!(out, "]")
+        }
+        Value::Object(items) if !items.values().all(is_plain) => {
+            let items = items.iter();
+            object(out, items.map(|(key, item)| (key.as_str(), item)), depth)
         }
         Value::Object(items) => {
             let items = items.iter();
@@ -70,4 +73,34 @@ fn nested(out: &mut dyn Write, value: &Value, depth: usize) -> io::Result<()> {
         }
         plain => write!(out, "{plain}"),
     }
+}
+
+/// An object, a line or more for each item.
+fn object<'v>(
+    out: &mut dyn Write,
+    items: impl ExactSizeIterator<Item = (&'v str, &'v Value)>,
+    depth: usize,
+) -> io::Result<()> {
+    writeln!(out, "{{")?;
+    let last = items.len();
+    for (place, (key, item)) in (1..).zip(items) {
+        write!(out, "{}{}: ", indent(depth + 1), Value::from(key))?;
+        nested(out, item, depth + 1)?;
+        writeln!(out, "{}", if place < last { "," } else { "" })?;
+    }
+    write!(out, "{}}}", indent(depth))
+}
+
+fn indent(depth: usize) -> String {
+    "  ".repeat(depth)
+}
+
+fn is_plain(value: &Value) -> bool {
+    !value.is_array() && !value.is_object()
+}
+
+/// True for a row and a column.
+fn is_pair(value: &Value) -> bool {
+    let places = value.as_array();
+    places.is_some_and(|own| own.len() == 2 && own.iter().all(Value::is_u64))
 }

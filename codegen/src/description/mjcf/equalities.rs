@@ -204,8 +204,13 @@ impl<'d, 'a> Equality<'d, 'a> {
     fn refuse(&self, reader: &mut Reader, message: &str, label: &str) {
         let fault = Diagnostic::error(format!("{message}; {label}"));
         let fault = fault.at(self.element.span(), "not supported");
-        let help = advice(self.name.as_deref().unwrap_or(self.element.name()));
-        reader.faults.push(fault.help(help));
+        let kind = self.element.name();
+        reader.faults.push(fault.help(match &self.name {
+            Some(name) => advice(name),
+            None => format!(
+                "`--leave-out {kind}` leaves out all of its kind; with a `name` it can be left out alone"
+            ),
+        }));
     }
 
     /// True where all that the equality names is there.

@@ -132,6 +132,7 @@ pub(super) const JACOBIAN: Function = Function {
         "Jacobian of the frame {frame} {seen}: times `u` the velocity of its origin, m/s, and its angular velocity, rad/s.",
         "A column for each speed, zero but for those of {speeds}. Also known as geometric Jacobian, frame Jacobian, task Jacobian.",
     ],
+    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::frames::jacobian)),
     derivation: Derivation::OfFrames(roots::frames::jacobian),
     terms: Terms::OfPath,
     ..PLAIN
@@ -147,6 +148,9 @@ pub(super) const JACOBIAN_PACKED: Function = Function {
         "The columns of the Jacobian of the frame {frame} {seen}, of the speeds that move it alone: {speeds} says which.",
         "Times these speeds the velocity of the frame's origin, m/s, and its angular velocity, rad/s.",
     ],
+    derivatives: Some(JacobiansFn::OfFrames(
+        roots::jacobians::frames::jacobian_packed,
+    )),
     derivation: Derivation::OfFrames(roots::frames::jacobian_packed),
     terms: Terms::OfPath,
     ..PLAIN
@@ -165,6 +169,9 @@ pub(super) const POINT_JACOBIAN: Function = Function {
         "Jacobian of a point fixed in the frame {frame}, {seen}: times `u` the velocity of the point, m/s, and the angular velocity of the frame, rad/s.",
         "A column for each speed, zero but for those of {speeds}. The point may be another at each call, for contacts that move.",
     ],
+    derivatives: Some(JacobiansFn::OfFrames(
+        roots::jacobians::frames::point_jacobian,
+    )),
     derivation: Derivation::OfFrames(roots::frames::point_jacobian),
     terms: Terms::OfPath,
     ..PLAIN

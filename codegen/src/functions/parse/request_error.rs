@@ -145,7 +145,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// What is no variable.
-    #[error("`{}` is no variable of `{function}`, which can be differentiated by {}; {}", name.escape_debug(), names(known), advice_on_variable(function, name, known))]
+    #[error("`{}` is no variable of `{function}`; {} be differentiated by {}", name.escape_debug(), variables(function, name, known), names(known))]
     UnknownVariable {
         /// What was asked for.
         request: String,
@@ -263,6 +263,17 @@ fn with_a_word_of<'k>(name: &str, known: &'k [String]) -> impl Iterator<Item = &
 }
 
 /// The first of them.
+/// What to do about a name that is no variable, and how the list of variables begins.
+fn variables(function: &str, name: &str, known: &[String]) -> String {
+    let advice = advice_on_variable(function, name, known);
+    let next = if advice.ends_with('?') {
+        " It can"
+    } else {
+        "; it can"
+    };
+    advice + next
+}
+
 fn names(known: &[String]) -> String {
     let names = known.iter().take(MOST_LISTED);
     let names: Vec<String> = names

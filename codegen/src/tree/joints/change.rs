@@ -127,6 +127,16 @@ fn lockable(description: &Description, joints: &[ResolvedJoint]) -> Vec<Lockable
     known
 }
 
+/// True for the name of a coordinate of an orientation that has an angular velocity.
+fn is_of_orientation(description: &Description, joints: &[ResolvedJoint], name: &str) -> bool {
+    let Some((joint, coordinate)) = name.rsplit_once('_') else {
+        return false;
+    };
+    let body = joint_named(description, joint);
+    let turns = body.is_some_and(|body| joints[body].has_angular_velocity());
+    turns && ["e0", "e1", "e2", "e3", "theta1", "theta2", "theta3"].contains(&coordinate)
+}
+
 /// What is locked by these names. What one of them locks is no longer free for those after it.
 fn locked(
     description: &Description,
@@ -194,6 +204,9 @@ fn meant(
         );
         let fault = Diagnostic::error(fault).of_entry(Changes::LOCK, name);
         return Err(match joint_named(description, name) {
+            None if is_of_orientation(description, joints, name) => fault.help(
+                "it is part of an orientation, of which no coordinate can be held at a value; `remove` fixes the joint at zero",
+            ),
             None => with_known(fault, name, &known, "the free coordinates"),
             Some(body) => {
                 let own = free.iter().filter(|known| known.motion.0 == body);

@@ -24,7 +24,7 @@ use kane_codegen::{
     solve,
     tree::Tree,
 };
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use self::state::State;
 use crate::cli::{
@@ -38,9 +38,10 @@ use crate::cli::{
 /// shape of the function's output: a number, a list, or nested lists; matrices are stored row by row. A number that is not finite is
 /// null. Compact partial velocities have the form of the generated module: `columns`, a list of 3-vectors, and
 /// `blocks`, which gives for each nonzero partition its body, partition, first speed, number of columns and first place in
-/// `columns`, all from 0. Packed matrices have `entries` and `places`, the row and column of each entry; factors also have the `order`
-/// of elimination. Packed Jacobians have the `speeds` of their columns. For several functions in one, such as `mass_matrix+bias`, the
-/// result is an object of their outputs.
+/// `columns`, all from 0. What is packed has `places` beside it, the row and column of each entry, and packed Jacobians the `speeds` of
+/// their columns. Factors also have the `order` of elimination: an entry of L is in the row of that of its two speeds which comes first there.
+/// `base_regressor` has the `base_parameters` of its columns. For several functions in one, such as `mass_matrix+bias`, the result is an
+/// object of their outputs, in the order asked for.
 ///
 /// If the `kane.toml` in the model's folder or the nearest one above lists the model, the options of the first system that does so
 /// with this function hold, or else of the first; options on the command line override them.
@@ -155,7 +156,7 @@ pub(crate) fn run(
             numbers.len()
         ));
     }
-    json::write(out, &value(tree, &function, &numbers, &derived.blocks))?;
+    write(out, value(tree, &function, &numbers, &derived.blocks))?;
     Ok(Outcome::Done)
 }
 
@@ -183,49 +184,59 @@ fn warn_of_quaternions(tree: &Tree, inputs: &State, voice: Voice) {
     }
 }
 
-/// The output in its shape; an object of several.
-fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[CompactBlock]) -> Value {
+/// What is written, and how to read it, with names.
+type Outputs = Vec<(String, Value)>;
+
+/// Writes an only output alone, several as an object.
+fn write(out: &mut dyn Write, outputs: Outputs) -> io::Result<()> {
+    match &outputs[..] {
+        [(_, only)] => json::write(out, only),
+        _ => json::write_object(out, &outputs),
+    }
+}
+
+/// The outputs in their shapes, in the order asked for, before what says how to read them.
+fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[CompactBlock]) -> Outputs {
     let mut rest = numbers;
-    let mut outputs = Map::new();
+    let mut outputs = Outputs::new();
     let lengths = function.lengths(tree, numbers.len() / 3);
     for (output, lengths) in function.outputs().into_iter().zip(lengths) {
         let (own, others) = rest.split_at(lengths.iter().product());
-        outputs.insert(output.name.into_owned(), json::array(own, &lengths));
+        outputs.push((output.name.into_owned(), json::array(own, &lengths)));
         rest = others;
     }
     if function.compact().is_some() {
-        outputs.insert("blocks".to_owned(), blocks(compact));
+        outputs.push(("blocks".to_owned(), blocks(compact)));
     }
     let packed = function.packed();
     let mut parts = function.parts().iter();
     let is_only = packed.len() == 1 && parts.all(|part| part.sparsity(tree).is_none());
     for own in &packed {
         let key = key("places", own.function(), is_only);
-        outputs.insert(key, json!(own.places(tree)));
+        outputs.push((key, json!(own.places(tree))));
     }
     speeds(tree, function, &mut outputs);
     entries(tree, function, &mut outputs);
     if packed.contains(&Packed::Factors) {
-        outputs.insert("order".to_owned(), json!(solve::elimination(tree)));
+        outputs.push(("order".to_owned(), json!(solve::elimination(tree))));
     }
     let mut written = function.outputs().into_iter();
     if written.any(|output| output.shape.has(Dimension::BaseParameters)) {
         let base = base_parameters::of(tree).iter();
         let names = base.map(|base| base_parameters::text(tree, base));
         // Values that are joined to others of one name have the function's.
-        let key = if outputs.contains_key(BASE_PARAMETERS) {
+        let key = if outputs.iter().any(|(name, _)| name == BASE_PARAMETERS) {
             BASE_PARAMETER_NAMES
         } else {
             BASE_PARAMETERS
         };
-        outputs.insert(key.to_owned(), names.collect());
+        outputs.push((key.to_owned(), names.collect()));
     }
-    let only = outputs.values().next().filter(|_| outputs.len() == 1);
-    only.cloned().unwrap_or(Value::Object(outputs))
+    outputs
 }
 
 /// Adds which speeds the columns of packed Jacobians belong to, as places in `u`.
-fn speeds(tree: &Tree, function: &Request, outputs: &mut Map<String, Value>) {
+fn speeds(tree: &Tree, function: &Request, outputs: &mut Outputs) {
     let parts = function.parts().iter();
     let packed = parts.filter(|part| part.function.writes(Dimension::FrameSpeeds));
     let all: Vec<_> = packed
@@ -233,21 +244,21 @@ fn speeds(tree: &Tree, function: &Request, outputs: &mut Map<String, Value>) {
         .collect();
     for (name, own) in &all {
         let places = own.iter().map(|speed| speed.index());
-        outputs.insert(key("speeds", name, all.len() == 1), places.collect());
+        outputs.push((key("speeds", name, all.len() == 1), places.collect()));
     }
 }
 
 /// Adds where the entries of packed derivatives stand, and the colours of their columns.
-fn entries(tree: &Tree, function: &Request, outputs: &mut Map<String, Value>) {
+fn entries(tree: &Tree, function: &Request, outputs: &mut Outputs) {
     let parts = function.parts().iter();
     let all: Vec<_> = parts
         .filter_map(|part| Some((part.name(), part.sparsity(tree)?)))
         .collect();
     let is_only = all.len() == 1 && function.packed().is_empty();
     for (name, own) in all {
-        outputs.insert(key("places", &name, is_only), json!(own.places));
+        outputs.push((key("places", &name, is_only), json!(own.places)));
         if let Some(colors) = &own.colors {
-            outputs.insert(key("colors", &name, is_only), json!(colors));
+            outputs.push((key("colors", &name, is_only), json!(colors)));
         }
     }
 }

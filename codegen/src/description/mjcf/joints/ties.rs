@@ -123,7 +123,8 @@ impl Ties {
                 shown(&name.value),
                 equation.owner
             );
-            let note = Diagnostic::note(message).at(equation.span, "no spring, as in MuJoCo");
+            let note = Diagnostic::note(message)
+                .at(equation.span, "exact here, a soft constraint in MuJoCo");
             reader
                 .faults
                 .push(note.one_of("joints that follow others by equalities", &joint_name));
