@@ -156,7 +156,8 @@ pub(crate) fn run(
             numbers.len()
         ));
     }
-    write(out, value(tree, &function, &numbers, &derived.blocks))?;
+    let outputs = value(tree, &function, &numbers, &derived.blocks);
+    write(out, &outputs)?;
     Ok(Outcome::Done)
 }
 
@@ -188,10 +189,10 @@ fn warn_of_quaternions(tree: &Tree, inputs: &State, voice: Voice) {
 type Outputs = Vec<(String, Value)>;
 
 /// Writes an only output alone, several as an object.
-fn write(out: &mut dyn Write, outputs: Outputs) -> io::Result<()> {
+fn write(out: &mut dyn Write, outputs: &Outputs) -> io::Result<()> {
     match &outputs[..] {
         [(_, only)] => json::write(out, only),
-        _ => json::write_object(out, &outputs),
+        _ => json::write_object(out, outputs),
     }
 }
 
