@@ -104,8 +104,21 @@ fn all_ways_give_the_same_derivatives() {
             "d(jacobian(turned, \"marker one\"))/d(q)",
             "d(jacobian_packed(\"marker one\"))/d(q)",
             "d(point_jacobian(turned))/d(q)",
+            "d(velocity(\"marker one\"))/d(q, u)",
+            "velocity(turned, local)+d(velocity(turned, local))/d(u, q)",
             "d(velocity(\"marker one\"))/d(u)",
             "d(acceleration(turned, local))/d(u_dot)",
+            "acceleration(\"marker one\")+d(acceleration(\"marker one\"))/d(q, u, u_dot)",
+            "d(acceleration(turned, local))/d(q, u, u_dot)",
+            "d(jacobian_dot_u(turned))/d(u, q)",
+            "d(jacobian_dot_u(\"marker one\", local))/d(q)",
+            "d(position(turned))/d(q)",
+            "d(position(turned, \"marker one\"))/d(q)",
+            "linear_velocity(turned)+d(linear_velocity(turned))/d(q, u)",
+            "d(linear_acceleration(\"marker one\"))/d(q, u, u_dot)",
+            "d(linear_jacobian(\"marker one\", local))/d(q)",
+            "d(linear_jacobian_packed(turned))/d(q)",
+            "d(linear_jacobian_dot_u(turned))/d(q, u)",
         ] {
             let request = request(&tree, text);
             let all = ways(&tree).map(|(formulation, plan)| {

@@ -14,6 +14,7 @@ mod evaluator;
 mod expr;
 mod field;
 mod floating;
+mod frame_counts;
 mod frame_identities;
 mod frame_references;
 mod frames;

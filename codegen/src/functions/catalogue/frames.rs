@@ -95,6 +95,8 @@ pub(super) const VELOCITY: Function = Function {
         "Also known as frame velocity, spatial velocity at the frame's origin, twist.",
     ],
     derivatives_are: &[(Argument::U, &JACOBIAN)],
+    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::velocity::velocity)),
+    derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::velocity),
     ..PLAIN
 };
@@ -118,6 +120,10 @@ pub(super) const ACCELERATION: Function = Function {
         "It is the rate of the velocity of the origin itself, without gravity. Also known as classical acceleration.",
     ],
     derivatives_are: &[(Argument::UDot, &JACOBIAN)],
+    derivatives: Some(JacobiansFn::OfFrames(
+        roots::jacobians::acceleration::acceleration,
+    )),
+    derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::acceleration),
     ..PLAIN
 };
@@ -132,7 +138,7 @@ pub(super) const JACOBIAN: Function = Function {
         "Jacobian of the frame {frame} {seen}: times `u` the velocity of its origin, m/s, and its angular velocity, rad/s.",
         "A column for each speed, zero but for those of {speeds}. Also known as geometric Jacobian, frame Jacobian, task Jacobian.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::frames::jacobian)),
+    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::columns::jacobian)),
     derivation: Derivation::OfFrames(roots::frames::jacobian),
     terms: Terms::OfPath,
     ..PLAIN
@@ -149,7 +155,7 @@ pub(super) const JACOBIAN_PACKED: Function = Function {
         "Times these speeds the velocity of the frame's origin, m/s, and its angular velocity, rad/s.",
     ],
     derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::jacobian_packed,
+        roots::jacobians::columns::jacobian_packed,
     )),
     derivation: Derivation::OfFrames(roots::frames::jacobian_packed),
     terms: Terms::OfPath,
@@ -170,7 +176,7 @@ pub(super) const POINT_JACOBIAN: Function = Function {
         "A column for each speed, zero but for those of {speeds}. The point may be another at each call, for contacts that move.",
     ],
     derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::point_jacobian,
+        roots::jacobians::columns::point_jacobian,
     )),
     derivation: Derivation::OfFrames(roots::frames::point_jacobian),
     terms: Terms::OfPath,
@@ -195,6 +201,10 @@ pub(super) const JACOBIAN_DOT_U: Function = Function {
         "The rate of the Jacobian of the frame {frame} times `u`: the acceleration that the frame has in the inertial frame for `u_dot = 0`,",
         "of its origin, {linear}, and angular, {angular}; {axes}. Also known as drift, bias acceleration, `J_dot q_dot`.",
     ],
+    derivatives: Some(JacobiansFn::OfFrames(
+        roots::jacobians::acceleration::jacobian_dot_u,
+    )),
+    derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::jacobian_dot_u),
     ..PLAIN
 };

@@ -5,7 +5,7 @@ use super::frames::{ANY_VIEW, OWN_VIEWS};
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, MassMatrixUse, Of, Output, PLAIN},
+    function::{Function, JacobiansFn, MassMatrixUse, Of, Output, PLAIN},
     roots,
     shape::Shape,
     subject::View,
@@ -23,6 +23,7 @@ pub(super) const POSITION: Function = Function {
         "Position of the origin of the frame {frame}{from}, from {origin}, {base} components, {position}.",
         "Also known as forward kinematics of a point.",
     ],
+    derivatives_are: &[(Argument::Q, &LINEAR_JACOBIAN)],
     derivation: Derivation::OfFrames(roots::linear::position),
     ..PLAIN
 };
@@ -37,6 +38,9 @@ pub(super) const LINEAR_VELOCITY: Function = Function {
         "Velocity of the origin of the frame {frame} in the inertial frame, {linear}; {axes}.",
         "Also known as translational velocity.",
     ],
+    derivatives_are: &[(Argument::U, &LINEAR_JACOBIAN)],
+    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::linear::velocity)),
+    derivatives_like: Some(&LINEAR_JACOBIAN),
     derivation: Derivation::OfFrames(roots::linear::velocity),
     ..PLAIN
 };
@@ -51,6 +55,11 @@ pub(super) const LINEAR_ACCELERATION: Function = Function {
         "Acceleration of the origin of the frame {frame} in the inertial frame, without gravity, {linear}; {axes}.",
         "Also known as translational acceleration.",
     ],
+    derivatives_are: &[(Argument::UDot, &LINEAR_JACOBIAN)],
+    derivatives: Some(JacobiansFn::OfFrames(
+        roots::jacobians::linear::acceleration,
+    )),
+    derivatives_like: Some(&LINEAR_JACOBIAN),
     derivation: Derivation::OfFrames(roots::linear::acceleration),
     ..PLAIN
 };
@@ -69,6 +78,7 @@ pub(super) const LINEAR_JACOBIAN: Function = Function {
         "Jacobian of the origin of the frame {frame} {seen}: times `u` its velocity, m/s.",
         "A column for each speed, zero but for those of {speeds}. Also known as translational Jacobian, position Jacobian, Jacobian of a point contact.",
     ],
+    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::linear::jacobian)),
     derivation: Derivation::OfFrames(roots::linear::jacobian),
     terms: Terms::OfPath,
     ..PLAIN
@@ -88,6 +98,9 @@ pub(super) const LINEAR_JACOBIAN_PACKED: Function = Function {
         "The columns of the Jacobian of the origin of the frame {frame} {seen}, of the speeds that move the frame alone: {speeds} says which.",
         "Times these speeds the velocity of the origin, m/s.",
     ],
+    derivatives: Some(JacobiansFn::OfFrames(
+        roots::jacobians::linear::jacobian_packed,
+    )),
     derivation: Derivation::OfFrames(roots::linear::jacobian_packed),
     terms: Terms::OfPath,
     ..PLAIN
@@ -103,6 +116,10 @@ pub(super) const LINEAR_JACOBIAN_DOT_U: Function = Function {
         "The rate of the Jacobian of the origin of the frame {frame} times `u`: the acceleration that the origin has in the inertial frame for `u_dot = 0`,",
         "{linear}; {axes}.",
     ],
+    derivatives: Some(JacobiansFn::OfFrames(
+        roots::jacobians::linear::jacobian_dot_u,
+    )),
+    derivatives_like: Some(&LINEAR_JACOBIAN),
     derivation: Derivation::OfFrames(roots::linear::jacobian_dot_u),
     ..PLAIN
 };

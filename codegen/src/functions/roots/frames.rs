@@ -65,7 +65,7 @@ pub(in crate::functions) fn jacobian_dot_u(
     accelerated(graph, tree, way, subject, Accelerations::Zero)
 }
 
-fn accelerated(
+pub(super) fn accelerated(
     graph: &mut ExprGraph,
     tree: &Tree,
     way: Way<'_>,

@@ -1,0 +1,179 @@
+//! Derivatives of accelerations of frames.
+//!
+//! Motions before one give the frame `W` and `α`, those from it on `V`, `W'`, `a'`, `α'` as they are seen from before it. The motion, with the column
+//! `v`, `w`, carries the latter as a whole and moves the frame: by its coordinate the acceleration changes by
+//! `α × v + W × (W × v + 2 w × V) + w × a'` and `w × α' + W × (w × W')`.
+
+use super::{
+    columns::of_rows,
+    moving::{Moved, Moving, Twist},
+    totals::by_coordinates,
+};
+use crate::{
+    differentiate::{Seeds, Sweep},
+    expr::{Expr, ExprGraph, Vector},
+    functions::{
+        argument::Argument,
+        formulation::Way,
+        function::Jacobians,
+        roots::frames,
+        subject::{Subject, View},
+        variable::Variable,
+    },
+    given::Accelerations,
+    recursive::Plan,
+    solve::SpeedMatrix,
+    tree::Tree,
+};
+
+pub(in crate::functions) fn acceleration(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    subject: &Subject,
+) -> Jacobians {
+    derived(graph, tree, plan, subject, Accelerations::Given)
+}
+
+/// For `u_dot = 0`.
+pub(in crate::functions) fn jacobian_dot_u(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    subject: &Subject,
+) -> Jacobians {
+    derived(graph, tree, plan, subject, Accelerations::Zero)
+}
+
+fn derived(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    subject: &Subject,
+    accelerations: Accelerations<'static>,
+) -> Jacobians {
+    let way = Way::Recursive(plan);
+    let by_u_dot = frames::jacobian(graph, tree, way, subject);
+    let (values, by_q, by_u) = if tree.has_followers() {
+        let values = frames::accelerated(graph, tree, way, subject, accelerations);
+        let by_q = by_coordinates(graph, tree, Sweep::Forward, &values);
+        let mut seeds = Seeds::new();
+        Variable::Given(Argument::U).seed(graph, tree, 0, &mut seeds);
+        let by_u = Sweep::Forward.rows(graph, &values, &seeds);
+        (values, by_q, super::forces::dense(graph, tree, &by_u))
+    } else {
+        let columns = of_rows(&by_u_dot, tree.n_speeds);
+        by_motions(graph, tree, subject, &columns, accelerations)
+    };
+    let mut by = vec![(Argument::Q, by_q), (Argument::U, by_u)];
+    if accelerations == Accelerations::Given {
+        let rows = by_u_dot.chunks(tree.n_speeds);
+        by.push((Argument::UDot, rows.map(<[Expr]>::to_vec).collect()));
+    }
+    Jacobians {
+        by,
+        values: Some(values),
+        mass: None,
+    }
+}
+
+/// The acceleration, and by coordinates and by speeds, with the columns of the Jacobian.
+fn by_motions(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    subject: &Subject,
+    columns: &[Twist],
+    accelerations: Accelerations<'_>,
+) -> (Vec<Expr>, SpeedMatrix, SpeedMatrix) {
+    let moving = Moving::new(graph, tree, subject, columns, accelerations);
+    let whole = moving.after[0].acceleration;
+    let none = vec![vec![graph.zero(); tree.n_speeds]; 6];
+    let (mut by_q, mut by_u) = (none.clone(), none);
+    for (place, group) in moving.groups.iter().enumerate() {
+        let (before, after) = (&moving.before[place], &moving.after[place]);
+        for &speed in &group.speeds {
+            let own = columns[speed.index()];
+            let mut carried = by_coordinate(graph, own, before, after);
+            if subject.view == View::Local {
+                // The frame's axes turn too.
+                carried = [0, 1].map(|part| {
+                    let turned = graph.cross(own[1], whole[part]);
+                    graph.sub_vectors(carried[part], turned)
+                });
+            }
+            put(&mut by_q, speed.index(), carried);
+            let velocity = if group.speeds.len() == 1 {
+                by_speed_alone(graph, own, before, after)
+            } else {
+                let farther = &moving.after[place + 1];
+                by_speed(graph, own, (before, group.velocity), farther)
+            };
+            put(&mut by_u, speed.index(), velocity);
+        }
+    }
+    (whole.concat(), by_q, by_u)
+}
+
+fn put(rows: &mut SpeedMatrix, column: usize, changes: Twist) {
+    for (row, &entry) in rows.iter_mut().zip(changes.as_flattened()) {
+        row[column] = entry;
+    }
+}
+
+fn by_coordinate(graph: &mut ExprGraph, [v, w]: Twist, before: &Moved, after: &Moved) -> Twist {
+    let (turning, alpha) = (before.velocity[1], before.acceleration[1]);
+    let moved = graph.cross(turning, v);
+    let carried = after.velocity.map(|part| graph.cross(w, part));
+    let two = graph.number(2.0);
+    let twice = graph.scale(two, carried[0]);
+    let relative = graph.add_vectors(moved, twice);
+    let terms = [
+        graph.cross(alpha, v),
+        graph.cross(turning, relative),
+        graph.cross(w, after.acceleration[0]),
+    ];
+    let linear = graph.add_vectors(terms[0], terms[1]);
+    let [turned, axes] = [
+        graph.cross(w, after.acceleration[1]),
+        graph.cross(turning, carried[1]),
+    ];
+    [
+        graph.add_vectors(linear, terms[2]),
+        graph.add_vectors(turned, axes),
+    ]
+}
+
+/// By the speed of a motion that no other one carries along: twice what a change of its coordinate makes of the velocity's linear part.
+fn by_speed_alone(graph: &mut ExprGraph, [v, w]: Twist, before: &Moved, after: &Moved) -> Twist {
+    let moved = graph.cross(before.velocity[1], v);
+    let carried = graph.cross(w, after.velocity[0]);
+    let sum = graph.add_vectors(moved, carried);
+    let two = graph.number(2.0);
+    let linear = graph.scale(two, sum);
+    [linear, between(graph, w, before, after)]
+}
+
+/// The same of a group, which adds this velocity, with what motions farther out add.
+fn by_speed(
+    graph: &mut ExprGraph,
+    [v, w]: Twist,
+    (before, own): (&Moved, Twist),
+    farther: &Moved,
+) -> Twist {
+    let two = graph.number(2.0);
+    let mut twice = |part: Vector, own: Vector| {
+        let twice = graph.scale(two, part);
+        graph.add_vectors(twice, own)
+    };
+    let turning = twice(before.velocity[1], own[1]);
+    let carried = twice(farther.velocity[0], own[0]);
+    let (moved, carried) = (graph.cross(turning, v), graph.cross(w, carried));
+    let linear = graph.add_vectors(moved, carried);
+    [linear, between(graph, w, before, farther)]
+}
+
+/// How an axis turns with motions before it, and turns those after it.
+fn between(graph: &mut ExprGraph, w: Vector, before: &Moved, after: &Moved) -> Vector {
+    let difference = graph.sub_vectors(before.velocity[1], after.velocity[1]);
+    graph.cross(difference, w)
+}

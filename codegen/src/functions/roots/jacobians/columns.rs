@@ -1,0 +1,127 @@
+//! Derivatives of Jacobians of frames: how each column changes by the motion of another one.
+
+use super::{carrying::Carrying, totals::by_coordinates};
+use crate::{
+    differentiate::Sweep,
+    expr::{Expr, ExprGraph, Vector},
+    functions::{
+        argument::Argument,
+        formulation::Way,
+        function::Jacobians,
+        roots::frames,
+        subject::{Subject, View},
+    },
+    id::SpeedId,
+    recursive::Plan,
+    tree::Tree,
+};
+
+pub(in crate::functions) fn jacobian(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    subject: &Subject,
+) -> Jacobians {
+    let speeds: Vec<SpeedId> = (0..tree.n_speeds).map(SpeedId::new).collect();
+    let entries = frames::jacobian(graph, tree, Way::Recursive(plan), subject);
+    of_columns(graph, tree, subject, &speeds, entries)
+}
+
+pub(in crate::functions) fn jacobian_packed(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    subject: &Subject,
+) -> Jacobians {
+    let entries = frames::jacobian_packed(graph, tree, Way::Recursive(plan), subject);
+    of_columns(graph, tree, subject, &subject.speeds(tree), entries)
+}
+
+pub(in crate::functions) fn point_jacobian(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    subject: &Subject,
+) -> Jacobians {
+    let speeds: Vec<SpeedId> = (0..tree.n_speeds).map(SpeedId::new).collect();
+    let entries = frames::point_jacobian(graph, tree, Way::Recursive(plan), subject);
+    of_columns(graph, tree, subject, &speeds, entries)
+}
+
+/// How the columns of these speeds change, entries by rows: with a motion that carries their axis they turn as a whole; by others the axis
+/// stays, and the frame moves. Along the frame's own axes what turns as a whole does not change.
+fn of_columns(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    subject: &Subject,
+    speeds: &[SpeedId],
+    entries: Vec<Expr>,
+) -> Jacobians {
+    let by_q = if subject.view == View::Other || tree.has_followers() {
+        by_coordinates(graph, tree, Sweep::Forward, &entries)
+    } else {
+        let n = speeds.len();
+        let columns = of_rows(&entries, n);
+        let carrying = Carrying::new(tree);
+        let mut rows = vec![vec![graph.zero(); tree.n_speeds]; entries.len()];
+        for (place, &speed) in speeds.iter().enumerate() {
+            for (by, &cause) in speeds.iter().enumerate() {
+                let is_carried = carrying.carries(cause, speed);
+                let changes = if subject.view == View::Local {
+                    let none = [graph.zero_vector(); 2];
+                    if is_carried {
+                        none
+                    } else {
+                        seen_from_frame(graph, columns[place], columns[by])
+                    }
+                } else {
+                    changed(graph, columns[place], columns[by], is_carried)
+                };
+                for (i, &entry) in changes.as_flattened().iter().enumerate() {
+                    rows[i * n + place][cause.index()] = entry;
+                }
+            }
+        }
+        rows
+    };
+    Jacobians {
+        by: vec![(Argument::Q, by_q)],
+        values: Some(entries),
+        mass: None,
+    }
+}
+
+/// How a column, linear and angular, changes by the motion of another one, along axes that do not turn.
+fn changed(
+    graph: &mut ExprGraph,
+    [v, w]: [Vector; 2],
+    [v_by, w_by]: [Vector; 2],
+    is_carried: bool,
+) -> [Vector; 2] {
+    if is_carried {
+        [graph.cross(w_by, v), graph.cross(w_by, w)]
+    } else {
+        [graph.cross(w, v_by), graph.zero_vector()]
+    }
+}
+
+/// The same along the frame's axes, by a motion that does not carry the column's axis.
+fn seen_from_frame(
+    graph: &mut ExprGraph,
+    [v, w]: [Vector; 2],
+    [v_by, w_by]: [Vector; 2],
+) -> [Vector; 2] {
+    let (moved, turned) = (graph.cross(w, v_by), graph.cross(v, w_by));
+    [graph.add_vectors(moved, turned), graph.cross(w, w_by)]
+}
+
+/// The columns of a Jacobian, linear and angular, of its entries by rows.
+pub(super) fn of_rows(entries: &[Expr], n_columns: usize) -> Vec<[Vector; 2]> {
+    let vector = |first: usize, column: usize| -> Vector {
+        std::array::from_fn(|i| entries[(first + i) * n_columns + column])
+    };
+    let columns = 0..n_columns;
+    columns
+        .map(|column| [vector(0, column), vector(3, column)])
+        .collect()
+}

@@ -1,0 +1,84 @@
+//! Derivatives of velocities of frames: a motion carries what motions farther out add, and moves the frame under those before it.
+
+use super::{
+    columns::of_rows,
+    moving::{Moving, Twist},
+    totals::by_coordinates,
+};
+use crate::{
+    differentiate::Sweep,
+    expr::{Expr, ExprGraph},
+    functions::{
+        argument::Argument,
+        formulation::Way,
+        function::Jacobians,
+        roots::frames,
+        subject::{Subject, View},
+    },
+    given::Accelerations,
+    recursive::Plan,
+    solve::SpeedMatrix,
+    tree::Tree,
+};
+
+/// By speeds the Jacobian, from which the rest follows.
+pub(in crate::functions) fn velocity(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    subject: &Subject,
+) -> Jacobians {
+    let way = Way::Recursive(plan);
+    let by_u = frames::jacobian(graph, tree, way, subject);
+    let (values, by_q) = if tree.has_followers() {
+        let velocity = frames::velocity(graph, tree, way, subject);
+        let by_q = by_coordinates(graph, tree, Sweep::Forward, &velocity);
+        (velocity, by_q)
+    } else {
+        by_motions(graph, tree, subject, &of_rows(&by_u, tree.n_speeds))
+    };
+    let by_u = by_u.chunks(tree.n_speeds).map(<[Expr]>::to_vec).collect();
+    Jacobians {
+        by: vec![(Argument::Q, by_q), (Argument::U, by_u)],
+        values: Some(values),
+        mass: None,
+    }
+}
+
+/// The velocity, and by coordinates, with the columns of the Jacobian.
+fn by_motions(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    subject: &Subject,
+    columns: &[Twist],
+) -> (Vec<Expr>, SpeedMatrix) {
+    let moving = Moving::new(graph, tree, subject, columns, Accelerations::Zero);
+    let mut rows = vec![vec![graph.zero(); tree.n_speeds]; 6];
+    for (place, group) in moving.groups.iter().enumerate() {
+        let (before, after) = (moving.before[place].velocity, moving.after[place].velocity);
+        for &speed in &group.speeds {
+            let own = columns[speed.index()];
+            let changes = if subject.view == View::Local {
+                seen_from_frame(graph, own, before)
+            } else {
+                changed(graph, own, before, after)
+            };
+            for (row, &entry) in rows.iter_mut().zip(changes.as_flattened()) {
+                row[speed.index()] = entry;
+            }
+        }
+    }
+    (moving.after[0].velocity.concat(), rows)
+}
+
+/// By a motion with this column, along inertial axes, with what motions before it and from it on add.
+fn changed(graph: &mut ExprGraph, [v, w]: Twist, [_, w_before]: Twist, after: Twist) -> Twist {
+    let (carried, moved) = (graph.cross(w, after[0]), graph.cross(w_before, v));
+    [graph.add_vectors(carried, moved), graph.cross(w, after[1])]
+}
+
+/// The same along the frame's own axes, where what is carried does not change.
+fn seen_from_frame(graph: &mut ExprGraph, [v, w]: Twist, [v_before, w_before]: Twist) -> Twist {
+    let (moved, turned) = (graph.cross(w_before, v), graph.cross(v_before, w));
+    [graph.add_vectors(moved, turned), graph.cross(w_before, w)]
+}
