@@ -1,4 +1,4 @@
-//! What can go wrong in the library: one variant per stage that can fail.
+//! What can go wrong in the library.
 
 use std::{error, fmt, path::PathBuf};
 

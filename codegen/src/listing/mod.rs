@@ -2,7 +2,7 @@
 //!
 //! In: a tree, where it comes from, its programs. Out: a [`Module`]: facts, and functions with their statements in order.
 //! Afterwards ([`verify`]): every local is assigned once, before it is read, and is read; every place of an output is stored once;
-//! what is read is there; names are unique identifiers in lower snake case. Whatever does not depend on a language is decided here.
+//! what is read is there; names of locals are unique identifiers in lower snake case. Whatever does not depend on a language is decided here.
 //! Does not: write text. Printers do, and escape what their language reserves.
 
 mod code;

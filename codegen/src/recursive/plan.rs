@@ -43,13 +43,13 @@ pub enum Technique {
     Carriers,
     /// Where accelerations are solved for, bodies that nothing holds are taken to fall, and gravity is added to the result.
     Fall,
-    /// Derivatives of dynamics come from composite bodies, products with those of accelerations from forces and one more solution,
-    /// and not from the values' own operations.
+    /// Derivatives come in ways of their own: those of dynamics from composite bodies, products with those of accelerations from forces and
+    /// one more solution, those of frames from the columns of their Jacobians; and not from the values' own operations.
     DirectDerivatives,
     /// Derivatives are carried from the outputs to what they depend on, and not outward from that.
     Reverse,
-    /// Columns of long derivatives of dynamics, and of long inverses, go four at a time, by helpers that are called. So do branches
-    /// that are alike, side by side, in every long function.
+    /// Columns of long derivatives of dynamics, and of long inverses, go four at a time, by helpers that are called. Beside any plan,
+    /// branches that are alike go side by side in every long function.
     Lockstep,
     /// Common factors are taken out of sums.
     Factor,
@@ -165,7 +165,7 @@ impl Plan {
         self.used.contains(&technique)
     }
 
-    /// True where columns of accelerations that are solved for in lockstep pass inward in lockstep too: once for the accelerations, and
+    /// True where columns of accelerations that go in lockstep pass inward in lockstep too: once for the accelerations, and
     /// once more at these. What both times have in common is then computed twice.
     pub fn calls_twice(&self) -> bool {
         self.calls_twice

@@ -1,4 +1,4 @@
-//! By which way a part is derived, from what is asked for and what its function knows: chosen in one place.
+//! By which way a part is derived, from what is asked for and what its function knows.
 
 use super::Part;
 use crate::{
@@ -18,7 +18,7 @@ pub(super) enum Route {
     Values,
     /// Values are swept over.
     Swept,
-    /// Derivatives of dynamics have a way of their own.
+    /// Derivatives have a way of their own.
     Direct(Direct),
 }
 

@@ -1,4 +1,4 @@
-//! Derivatives of dynamics, put together from composite bodies and from what acts in joints.
+//! Derivatives of forces, put together from composite bodies and from what acts in joints.
 
 use crate::{
     differentiate::{Row, Seeds, forward, reverse},
