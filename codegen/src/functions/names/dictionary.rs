@@ -2,7 +2,7 @@
 
 use super::{
     absent::NO_FUNCTIONS,
-    elsewhere::{OPERATORS, REMARKS, REQUESTS, RUNTIME, VARIABLES},
+    elsewhere::{OPERATORS, REQUESTS, RUNTIME, VARIABLES},
     generated_name,
 };
 use crate::{
@@ -22,13 +22,24 @@ pub fn elsewhere(name: &str) -> Option<&'static str> {
     let mut own = Function::names().into_iter();
     match own.find(|own| words.contains(&plain(own))) {
         Some(own) => Some(with_frame(own)),
-        None => found(&REQUESTS, &words),
+        None => theirs(&words).map(|(request, _)| request),
     }
+}
+
+/// Our request for what one of these words means elsewhere, and what to say beside it.
+fn theirs(words: &[String]) -> Option<(&'static str, &'static str)> {
+    let mut rows = REQUESTS.iter();
+    let row = rows.find(|(_, _, names)| is_among(names, words))?;
+    Some((row.0, row.1))
+}
+
+fn is_among(names: &[&str], words: &[String]) -> bool {
+    words.iter().any(|word| names.contains(&word.as_str()))
 }
 
 /// Our function, as it is asked for of a frame.
 fn with_frame(own: &'static str) -> &'static str {
-    let mut requests = REQUESTS.iter().map(|(request, _)| *request);
+    let mut requests = REQUESTS.iter().map(|(request, _, _)| *request);
     let of_frame = requests.find(|request| {
         request
             .strip_prefix(own)
@@ -48,9 +59,8 @@ fn words(name: &str) -> Vec<String> {
 
 /// What one of these words stands beside in a table.
 fn found(table: &[(&'static str, &[&str])], words: &[String]) -> Option<&'static str> {
-    let is_known = |names: &[&str]| words.iter().any(|word| names.contains(&word.as_str()));
     let mut rows = table.iter();
-    let row = rows.find(|(_, names)| is_known(names));
+    let row = rows.find(|(_, names)| is_among(names, words));
     row.map(|(own, _)| *own)
 }
 
@@ -63,9 +73,9 @@ fn plain(name: &str) -> String {
 pub fn advice(name: &str) -> String {
     let words = words(name);
     if let Some(request) = elsewhere(name) {
-        let remark =
-            found(&REMARKS, &words).map_or_else(String::new, |remark| format!(", {remark}"));
-        format!("here it is called `{request}`{remark}")
+        let remark = theirs(&words).map_or("", |(_, remark)| remark);
+        let comma = if remark.is_empty() { "" } else { ", " };
+        format!("here it is called `{request}`{comma}{remark}")
     } else if let Some(operator) = found(&OPERATORS, &words) {
         format!("expected `{operator}`, of a function `F` by variables `X`")
     } else if let Some(module) = found(&RUNTIME, &words) {

@@ -1,21 +1,21 @@
 //! The names themselves: what Pinocchio, MuJoCo, RBDL, Drake and textbooks call our requests, operators and variables; in small letters
 //! and digits, without the words with which names of other tools begin.
 
-/// Our requests, and other names of the same.
-pub(super) const REQUESTS: [(&str, &[&str]); 53] = [
+/// Our requests, what to say beside them, and other names of the same, or of what differs as that says.
+pub(super) const REQUESTS: [(&str, &str, &[&str]); 65] = [
     (
         "inverse_dynamics",
-        &[
-            "qfrcinverse",
-            "rnea",
-            "rne",
-            "id",
-            "newtoneuler",
-            "mjinverse",
-        ],
+        "",
+        &["qfrcinverse", "rne", "id", "newtoneuler", "mjinverse"],
+    ),
+    (
+        "inverse_dynamics",
+        "in which springs and dampers of joints act",
+        &["rnea"],
     ),
     (
         "mass_matrix",
+        "",
         &[
             "qm",
             "crba",
@@ -30,14 +30,27 @@ pub(super) const REQUESTS: [(&str, &[&str]); 53] = [
     ),
     (
         "forward_dynamics",
-        &["aba", "fd", "articulatedbodyalgorithm", "mjforward"],
+        "",
+        &["fd", "articulatedbodyalgorithm", "mjforward"],
+    ),
+    (
+        "forward_dynamics",
+        "in which springs and dampers of joints act",
+        &["aba"],
     ),
     (
         "bias",
-        &["nle", "nonlineareffects", "qfrcbias", "biasterm", "mjrne"],
+        "in which springs and dampers of joints act",
+        &["nle", "nonlineareffects", "qfrcbias", "mjrne"],
+    ),
+    (
+        "bias",
+        "of which gravity, springs and dampers are part",
+        &["biasterm"],
     ),
     (
         "gravity_forces",
+        "",
         &[
             "gravity",
             "gravityterm",
@@ -45,23 +58,30 @@ pub(super) const REQUESTS: [(&str, &[&str]); 53] = [
             "generalizedgravity",
             "gravitycompensation",
             "gravityvector",
-            "gravitygeneralizedforces",
             "g",
         ],
     ),
-    ("coriolis_matrix", &["coriolis", "christoffel", "c"]),
+    (
+        "gravity_forces",
+        "with the other sign",
+        &["gravitygeneralizedforces"],
+    ),
+    ("coriolis_matrix", "", &["coriolis", "christoffel", "c"]),
     (
         "mass_matrix_inverse",
+        "",
         &["minv", "minverse", "inversemassmatrix", "m1"],
     ),
-    ("mass_matrix_dot", &["mdot"]),
-    ("mass_matrix_product", &["choleskymv", "mjmulm"]),
+    ("mass_matrix_dot", "", &["mdot"]),
+    ("mass_matrix_product", "", &["choleskymv", "mjmulm"]),
     (
         "mass_matrix_solve",
+        "",
         &["choleskysolve", "mjsolvem", "minvtimestau"],
     ),
     (
         "mass_matrix_factors",
+        "",
         &[
             "mjfactorm",
             "cholesky",
@@ -72,6 +92,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 53] = [
     ),
     (
         "pose(FRAME)",
+        "",
         &[
             "frameplacement",
             "frameplacements",
@@ -98,10 +119,12 @@ pub(super) const REQUESTS: [(&str, &[&str]); 53] = [
     ),
     (
         "position(FRAME)",
+        "",
         &["frameposition", "endeffectorposition", "pointposition"],
     ),
     (
         "velocity(FRAME)",
+        "",
         &[
             "framevelocity",
             "twist",
@@ -113,25 +136,36 @@ pub(super) const REQUESTS: [(&str, &[&str]); 53] = [
     ),
     (
         "linear_velocity(FRAME)",
+        "",
         &["pointvelocity", "translationalvelocity"],
     ),
     (
         "acceleration(FRAME)",
+        "",
         &[
-            "frameacceleration",
             "frameclassicalacceleration",
-            "mjobjectacceleration",
             "pointacceleration6d",
-            "spatialacceleration",
             "bodyspatialaccelerationinworld",
         ],
     ),
     (
+        "acceleration(FRAME)",
+        "whose linear part is the acceleration of the frame's origin; that of a spatial acceleration is less by `ω × v`",
+        &["frameacceleration", "spatialacceleration"],
+    ),
+    (
+        "acceleration(FRAME)",
+        "without gravity, which MuJoCo subtracts",
+        &["mjobjectacceleration"],
+    ),
+    (
         "linear_acceleration(FRAME)",
+        "",
         &["pointacceleration", "translationalacceleration"],
     ),
     (
         "jacobian(FRAME)",
+        "",
         &[
             "jac",
             "jacob0",
@@ -147,10 +181,15 @@ pub(super) const REQUESTS: [(&str, &[&str]); 53] = [
             "jacobianspatialvelocity",
         ],
     ),
-    ("point_jacobian(FRAME)", &["mjjac", "mjjacbodycom"]),
-    ("jacobian(FRAME, local)", &["bodyjacobian", "jacobe"]),
+    (
+        "point_jacobian(FRAME)",
+        "of a point that is given; of the frame's origin it is `jacobian(FRAME)`",
+        &["mjjac", "mjjacbodycom"],
+    ),
+    ("jacobian(FRAME, local)", "", &["bodyjacobian", "jacobe"]),
     (
         "linear_jacobian(FRAME)",
+        "",
         &[
             "jacp",
             "translationaljacobian",
@@ -161,6 +200,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 53] = [
     ),
     (
         "jacobian_dot_u(FRAME)",
+        "",
         &[
             "jdotv",
             "jdotqdot",
@@ -171,203 +211,6 @@ pub(super) const REQUESTS: [(&str, &[&str]); 53] = [
     ),
     (
         "jvp(jacobian(FRAME); q)",
-        &[
-            "jdot",
-            "jacobiandot",
-            "jacobiantimederivative",
-            "jacobiantimevariation",
-            "jointjacobiantimevariation",
-            "jointjacobianstimevariation",
-            "framejacobiantimevariation",
-            "mjjacdot",
-        ],
-    ),
-    (
-        "linear_jacobian_dot_u(FRAME)",
-        &["biastranslationalacceleration"],
-    ),
-    ("generalized_force(FRAME)", &["mjapplyft", "wrench"]),
-    (
-        "operational_inverse_inertia(FRAME)",
-        &[
-            "delassus",
-            "delassusmatrix",
-            "efcar",
-            "operationalspaceinverseinertia",
-            "jminvjt",
-        ],
-    ),
-    ("imu(FRAME)", &["accelerometer", "gyro"]),
-    (
-        "center_of_mass",
-        &[
-            "com",
-            "centerofmassposition",
-            "centerofmasspositioninworld",
-            "subtreecom",
-        ],
-    ),
-    (
-        "center_of_mass_velocity",
-        &[
-            "vcom",
-            "subtreelinvel",
-            "centerofmasstranslationalvelocityinworld",
-        ],
-    ),
-    (
-        "center_of_mass_jacobian",
-        &[
-            "jcom",
-            "jacobiancenterofmass",
-            "comjacobian",
-            "mjjacsubtreecom",
-            "jacobiancenterofmasstranslationalvelocity",
-        ],
-    ),
-    (
-        "centroidal_momentum_matrix",
-        &["centroidalmap", "cmm", "ccrba", "ag", "mjangmommat"],
-    ),
-    ("linear_momentum+angular_momentum", &["momentum"]),
-    (
-        "kinetic_energy+potential_energy",
-        &["mechanicalenergy", "energy", "totalenergy"],
-    ),
-    ("kinetic_energy", &["mjenergyvel", "ke"]),
-    ("potential_energy", &["mjenergypos", "pe"]),
-    ("normalize", &["mjnormalizequat"]),
-    ("regressor", &["jointtorqueregressor", "torqueregressor"]),
-    (
-        "inertial_parameters",
-        &[
-            "dynamicparameters",
-            "standardparameters",
-            "todynamicparameters",
-            "pi",
-        ],
-    ),
-    (
-        "base_parameters",
-        &["minimalparameters", "baseinertialparameters"],
-    ),
-    ("base_regressor", &["minimalregressor", "reducedregressor"]),
-    ("hybrid_dynamics", &["hybrid", "hybridaba", "fdab"]),
-    (
-        "centroidal_momentum_matrix_dot_u",
-        &["momentumrate", "centroidalmomentumtimevariation"],
-    ),
-    (
-        "jvp(centroidal_momentum_matrix; q)",
-        &["dccrba", "dag", "centroidalmaptimevariation"],
-    ),
-    (
-        "joint_wrenches",
-        &[
-            "dataf",
-            "cfrcint",
-            "reaction",
-            "reactions",
-            "reactionforces",
-            "jointreactions",
-        ],
-    ),
-    (
-        "d(inverse_dynamics)/d(q, u, u_dot)",
-        &[
-            "idderivatives",
-            "rneaderivatives",
-            "idsva",
-            "inversedynamicsderivatives",
-            "diddq",
-            "diddu",
-            "dtaudq",
-            "mjdinversefd",
-        ],
-    ),
-    (
-        "d(forward_dynamics)/d(q, u, tau)",
-        &[
-            "abaderivatives",
-            "forwarddynamicsderivatives",
-            "dfddq",
-            "dfddu",
-            "dfddtau",
-            "fdderivatives",
-            "mjdtransitionfd",
-        ],
-    ),
-    ("loaded_inverse_dynamics", &["statictorque"]),
-    ("d(gravity_forces)/d(q)", &["generalizedgravityderivatives"]),
-    (
-        "d(loaded_inverse_dynamics)/d(q)",
-        &["statictorquederivatives"],
-    ),
-    (
-        "d(velocity(FRAME))/d(q, u)",
-        &["framevelocityderivatives", "pointvelocityderivatives"],
-    ),
-    (
-        "d(acceleration(FRAME))/d(q, u, u_dot)",
-        &[
-            "frameaccelerationderivatives",
-            "pointclassicaccelerationderivatives",
-            "forwardkinematicsderivatives",
-        ],
-    ),
-    (
-        "d(jacobian(FRAME))/d(q)",
-        &["jointkinematichessians", "jointkinematichessian"],
-    ),
-    (
-        "hessian(inverse_dynamics; q, u, u_dot)",
-        &["rneasecondorderderivatives", "idsvaso"],
-    ),
-];
-
-/// What to say beside the request, of names that mean something a little different.
-pub(super) const REMARKS: [(&str, &[&str]); 13] = [
-    (
-        "whose linear part is the acceleration of the frame's origin; that of a spatial acceleration is less by `ω × v`",
-        &[
-            "frameacceleration",
-            "frameaccelerationderivatives",
-            "spatialacceleration",
-        ],
-    ),
-    (
-        "without gravity, which MuJoCo subtracts",
-        &["mjobjectacceleration"],
-    ),
-    (
-        "in which springs and dampers of joints act",
-        &[
-            "rnea",
-            "aba",
-            "nle",
-            "nonlineareffects",
-            "qfrcbias",
-            "mjrne",
-            "rneaderivatives",
-            "abaderivatives",
-        ],
-    ),
-    (
-        "of which gravity, springs and dampers are part",
-        &["biasterm"],
-    ),
-    ("with the other sign", &["gravitygeneralizedforces"]),
-    ("at rest", &["statictorque"]),
-    ("about the inertial origin", &["momentum"]),
-    (
-        "of all bodies; there is none of a subtree",
-        &["subtreecom", "subtreelinvel", "mjjacsubtreecom"],
-    ),
-    (
-        "with `u` for `q_direction`; times `u` it is `centroidal_momentum_matrix_dot_u`",
-        &["dccrba", "dag", "centroidalmaptimevariation"],
-    ),
-    (
         "with `u` for `q_direction`; times `u` it is `jacobian_dot_u(FRAME)`",
         &[
             "jdot",
@@ -381,16 +224,201 @@ pub(super) const REMARKS: [(&str, &[&str]); 13] = [
         ],
     ),
     (
-        "of a point that is given; of the frame's origin it is `jacobian(FRAME)`",
-        &["mjjac", "mjjacbodycom"],
+        "linear_jacobian_dot_u(FRAME)",
+        "",
+        &["biastranslationalacceleration"],
+    ),
+    ("generalized_force(FRAME)", "", &["mjapplyft", "wrench"]),
+    (
+        "operational_inverse_inertia(FRAME)",
+        "",
+        &[
+            "delassus",
+            "delassusmatrix",
+            "efcar",
+            "operationalspaceinverseinertia",
+            "jminvjt",
+        ],
+    ),
+    ("imu(FRAME)", "", &["accelerometer", "gyro"]),
+    (
+        "center_of_mass",
+        "",
+        &["com", "centerofmassposition", "centerofmasspositioninworld"],
     ),
     (
+        "center_of_mass",
+        "of all bodies; there is none of a subtree",
+        &["subtreecom"],
+    ),
+    (
+        "center_of_mass_velocity",
+        "",
+        &["vcom", "centerofmasstranslationalvelocityinworld"],
+    ),
+    (
+        "center_of_mass_velocity",
+        "of all bodies; there is none of a subtree",
+        &["subtreelinvel"],
+    ),
+    (
+        "center_of_mass_jacobian",
+        "",
+        &[
+            "jcom",
+            "jacobiancenterofmass",
+            "comjacobian",
+            "jacobiancenterofmasstranslationalvelocity",
+        ],
+    ),
+    (
+        "center_of_mass_jacobian",
+        "of all bodies; there is none of a subtree",
+        &["mjjacsubtreecom"],
+    ),
+    (
+        "centroidal_momentum_matrix",
+        "",
+        &["centroidalmap", "cmm", "ccrba", "ag", "mjangmommat"],
+    ),
+    (
+        "linear_momentum+angular_momentum",
+        "about the inertial origin",
+        &["momentum"],
+    ),
+    (
+        "kinetic_energy+potential_energy",
+        "",
+        &["mechanicalenergy", "energy", "totalenergy"],
+    ),
+    ("kinetic_energy", "", &["mjenergyvel", "ke"]),
+    ("potential_energy", "", &["mjenergypos", "pe"]),
+    ("normalize", "", &["mjnormalizequat"]),
+    (
+        "regressor",
+        "",
+        &["jointtorqueregressor", "torqueregressor"],
+    ),
+    (
+        "inertial_parameters",
+        "",
+        &[
+            "dynamicparameters",
+            "standardparameters",
+            "todynamicparameters",
+            "pi",
+        ],
+    ),
+    (
+        "base_parameters",
+        "",
+        &["minimalparameters", "baseinertialparameters"],
+    ),
+    (
+        "base_regressor",
+        "",
+        &["minimalregressor", "reducedregressor"],
+    ),
+    (
+        "hybrid_dynamics",
+        "of a system in which `prescribed` names joints",
+        &["hybrid", "hybridaba", "fdab"],
+    ),
+    (
+        "centroidal_momentum_matrix_dot_u",
         "which is the rate for `u_dot = 0`: add `centroidal_momentum_matrix` times `u_dot`",
         &["momentumrate", "centroidalmomentumtimevariation"],
     ),
     (
-        "of a system in which `prescribed` names joints",
-        &["hybrid", "hybridaba", "fdab"],
+        "jvp(centroidal_momentum_matrix; q)",
+        "with `u` for `q_direction`; times `u` it is `centroidal_momentum_matrix_dot_u`",
+        &["dccrba", "dag", "centroidalmaptimevariation"],
+    ),
+    (
+        "joint_wrenches",
+        "",
+        &[
+            "dataf",
+            "cfrcint",
+            "reaction",
+            "reactions",
+            "reactionforces",
+            "jointreactions",
+        ],
+    ),
+    (
+        "d(inverse_dynamics)/d(q, u, u_dot)",
+        "",
+        &[
+            "idderivatives",
+            "idsva",
+            "inversedynamicsderivatives",
+            "diddq",
+            "diddu",
+            "dtaudq",
+            "mjdinversefd",
+        ],
+    ),
+    (
+        "d(inverse_dynamics)/d(q, u, u_dot)",
+        "in which springs and dampers of joints act",
+        &["rneaderivatives"],
+    ),
+    (
+        "d(forward_dynamics)/d(q, u, tau)",
+        "",
+        &[
+            "forwarddynamicsderivatives",
+            "dfddq",
+            "dfddu",
+            "dfddtau",
+            "fdderivatives",
+            "mjdtransitionfd",
+        ],
+    ),
+    (
+        "d(forward_dynamics)/d(q, u, tau)",
+        "in which springs and dampers of joints act",
+        &["abaderivatives"],
+    ),
+    ("loaded_inverse_dynamics", "at rest", &["statictorque"]),
+    (
+        "d(gravity_forces)/d(q)",
+        "",
+        &["generalizedgravityderivatives"],
+    ),
+    (
+        "d(loaded_inverse_dynamics)/d(q)",
+        "",
+        &["statictorquederivatives"],
+    ),
+    (
+        "d(velocity(FRAME))/d(q, u)",
+        "",
+        &["framevelocityderivatives", "pointvelocityderivatives"],
+    ),
+    (
+        "d(acceleration(FRAME))/d(q, u, u_dot)",
+        "",
+        &[
+            "pointclassicaccelerationderivatives",
+            "forwardkinematicsderivatives",
+        ],
+    ),
+    (
+        "d(acceleration(FRAME))/d(q, u, u_dot)",
+        "whose linear part is the acceleration of the frame's origin; that of a spatial acceleration is less by `ω × v`",
+        &["frameaccelerationderivatives"],
+    ),
+    (
+        "d(jacobian(FRAME))/d(q)",
+        "",
+        &["jointkinematichessians", "jointkinematichessian"],
+    ),
+    (
+        "hessian(inverse_dynamics; q, u, u_dot)",
+        "",
+        &["rneasecondorderderivatives", "idsvaso"],
     ),
 ];
 
