@@ -181,3 +181,19 @@ fn quaternion_of_another_length_is_told_where_it_counts() {
     assert_eq!(ran("rotation", 1.0).err, "");
     assert_eq!(ran("normalize", 2.0).err, "");
 }
+
+#[test]
+fn a_frame_s_rotation_that_is_none_is_told() {
+    let project = Project::empty();
+    let frame = "\n[[frame]]\nname = \"tool\"\nrotation = { runtime = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] }\n";
+    project.write("arm.toml", &(model("arm", "2.0") + frame));
+    let ran = |function: &str, entry: f64| {
+        let arguments = ["eval", "arm.toml", "--function", function, "--state", "-"];
+        let state = json!({ "q": {}, "parameters": { "tool_rotation_x_x": entry } });
+        project.kane_given(&arguments, &state.to_string()).err
+    };
+    assert!(ran("pose(tool)", 2.0).starts_with("warning: the rotation of frame `tool` is none;"));
+    assert!(ran("pose(tool)", -1.0).starts_with("warning: the rotation of frame `tool` is none;"));
+    assert_eq!(ran("pose(tool)", 1.0), "");
+    assert_eq!(ran("rotation", 2.0), "");
+}

@@ -230,6 +230,10 @@ fn frames(name: &str, jointed: Option<&str>, known: &[String]) -> String {
     if let Some(advice) = advice_on_frame(name) {
         return advice;
     }
+    let bare = name.trim_matches('\'');
+    if bare != name && known.iter().any(|known| known == bare) {
+        return "quotes are double, and needed only around names that are not one word".to_owned();
+    }
     let count = known.len();
     if count == 0 {
         return "there are none".to_owned();

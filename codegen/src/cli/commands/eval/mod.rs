@@ -1,6 +1,7 @@
 //! `kane eval`.
 
 mod by_name;
+mod orientations;
 mod state;
 mod unique;
 
@@ -16,7 +17,6 @@ use kane_codegen::{
     compile::{self, Plans},
     diagnostic::Source,
     error::Error,
-    expr::Input,
     functions::{CompactBlock, Dimension, Packed, Request},
     input,
     options::Formulation,
@@ -26,7 +26,6 @@ use kane_codegen::{
 };
 use serde_json::{Value, json};
 
-use self::state::State;
 use crate::cli::{
     Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::functions,
     arguments::parse, job::Job, listed, text::json,
@@ -130,9 +129,7 @@ pub(crate) fn run(
         return Err(Failures::message(needs));
     };
     let inputs = state::read(&state, tree, &function)?;
-    if function.sum() != "normalize" {
-        warn_of_quaternions(tree, &inputs, voice);
-    }
+    orientations::check(tree, &function, &inputs, voice);
     let mut options = job.options;
     options.formulation = arguments.formulation.unwrap_or(options.formulation);
     if !arguments.without.is_empty() {
@@ -164,26 +161,6 @@ pub(crate) fn run(
 /// Where it says which sums base parameters are.
 const BASE_PARAMETERS: &str = "base_parameters";
 const BASE_PARAMETER_NAMES: &str = "base_parameter_names";
-
-/// How far a quaternion's length may be from one: seven digits of its numbers.
-const UNIT_TOLERANCE: f64 = 1e-6;
-
-/// Tells which quaternions are none of a rotation: nothing brings them to length one, here as in generated code.
-fn warn_of_quaternions(tree: &Tree, inputs: &State, voice: Voice) {
-    for (body, parameters) in tree.quaternions() {
-        let squares =
-            parameters.map(|place| inputs.get(&Input::Q(place)).map(|number| number * number));
-        let Some(length) = squares.into_iter().sum::<Option<f64>>().map(libm::sqrt) else {
-            continue;
-        };
-        if (length - 1.0).abs() > UNIT_TOLERANCE {
-            let name = body.name.escape_debug();
-            voice.say(format_args!(
-                "warning: the quaternion of `{name}` has length {length}; expected 1, for a rotation"
-            ));
-        }
-    }
-}
 
 /// What is written, and how to read it, with names.
 type Outputs = Vec<(String, Value)>;
