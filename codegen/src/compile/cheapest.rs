@@ -79,7 +79,14 @@ fn by_one_plan(plans: &Plans<'_>, request: &Request) -> Planned {
         .of_values(&request.values())
         .with(Technique::DirectDerivatives, false)
         .with(Technique::Reverse, false);
-    let mut ways = sweeps::ways(tree, request, Formulation::Recursive, without, &forward);
+    let sweeps = |plan: &Plan| sweeps::ways(tree, request, Formulation::Recursive, without, plan);
+    let mut ways = Vec::new();
+    let rates = Technique::Rates;
+    if request.chooses(rates) && !without.contains(&rates) {
+        // Rates that are dearer may change more cheaply.
+        ways.extend(sweeps(&forward.with(rates, !forward.uses(rates))));
+    }
+    ways.extend(sweeps(&forward));
     if !without.contains(&Technique::DirectDerivatives) && request.differentiates_directly() {
         let alike = request.alike();
         let alike: Vec<Plan> = alike.iter().map(|own| plans.of_values(own)).collect();

@@ -292,7 +292,7 @@ impl Request {
         parts.any(|part| part.derivative.is_some())
     }
 
-    /// True where some part is a derivative of dynamics that has a way of its own, beside the sweeps.
+    /// True where some part is a derivative that has a way of its own, beside the sweeps.
     pub fn differentiates_directly(&self) -> bool {
         let mut parts = self.parts.iter();
         parts.any(Part::has_direct_derivatives)
@@ -301,7 +301,7 @@ impl Request {
     /// The functions whose plans suit derivatives that have a way of their own, each once.
     pub fn alike(&self) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
-        for part in self.parts.iter().filter_map(Part::alike) {
+        for part in self.parts.iter().flat_map(Part::alike) {
             let other = Self::new(None, vec![part], self.at_sin_cos);
             if all.iter().all(|known| known.text() != other.text()) {
                 all.push(other);

@@ -114,7 +114,7 @@ const OF_SYSTEMS: [&str; 14] = [
     "base_regressor",
 ];
 
-const MATRICES: [&str; 7] = [
+const MATRICES: [&str; 8] = [
     "mass_matrix_product",
     "mass_matrix_solve",
     "mass_matrix_inverse",
@@ -122,6 +122,7 @@ const MATRICES: [&str; 7] = [
     "coriolis_matrix",
     "mass_matrix_dot",
     "mass_matrix+mass_matrix_dot",
+    "jvp(mass_matrix_dot; q, u)",
 ];
 
 /// The counts of functions of the robots, those with legs on a free base.

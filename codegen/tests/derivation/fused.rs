@@ -174,6 +174,35 @@ fn operations_of_robots() {
 }
 
 #[test]
+fn derivatives_of_one_function_asked_for_apart_cost_no_more_than_together() {
+    let arm = "tests/robots/ur5/ur5.urdf";
+    let legs = "tests/robots/solo12/solo12.urdf";
+    for (path, base) in [(arm, Base::Fixed), (legs, Base::Free)] {
+        let reading = Reading {
+            base: Some(base),
+            ..Reading::default()
+        };
+        let tree = read(path, &reading);
+        let count = |text: &str| alone(&tree, text).0.operations.total();
+        for (function, first, second) in [
+            ("inverse_dynamics", "q, u", "u_dot"),
+            ("forward_dynamics", "q, u", "tau"),
+            ("mass_matrix_solve", "q", "tau"),
+            ("kinetic_energy", "q", "u"),
+        ] {
+            let apart = count(&format!(
+                "d({function})/d({first})+d({function})/d({second})"
+            ));
+            let together = count(&format!("d({function})/d({first}, {second})"));
+            assert!(
+                apart <= together,
+                "{path} {function}: {apart} of {together}"
+            );
+        }
+    }
+}
+
+#[test]
 fn each_derivative_of_a_joined_function_is_swept_for_in_its_own_way() {
     let reading = Reading::default();
     let tree = read("tests/robots/panda/panda.urdf", &reading);

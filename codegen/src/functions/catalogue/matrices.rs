@@ -194,6 +194,10 @@ pub(super) const MASS_MATRIX_DOT: Function = Function {
     doc: &[
         "Rate of the mass matrix of Eq. (42) for the motion `u`, `M_dot = C + C^T`: symmetric, every entry written. Also known as time derivative of the joint-space inertia.",
     ],
+    beside: Some(Beside {
+        matrices: &[KnownMatrix::Mass],
+        derive: roots::coriolis::mass_matrix_dot_beside,
+    }),
     techniques: &[Technique::Rates],
     derivation: Derivation::EitherWay(roots::coriolis::mass_matrix_dot),
     terms: Terms::OfMatrix,

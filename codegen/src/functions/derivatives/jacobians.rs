@@ -1,5 +1,5 @@
-//! Whole derivatives of dynamics, a matrix for each variable: by coordinates, speeds, accelerations and forces in the way of their own,
-//! by loads and parameters, which that way does not know, beside it.
+//! Whole derivatives that have a way of their own, a matrix for each variable: by coordinates, speeds, accelerations and forces in that way,
+//! by loads and parameters, which it does not know, beside it.
 
 use super::{
     derivative::{Derivative, DerivativeKind},
@@ -24,7 +24,7 @@ use crate::{
 /// A row for each entry of the output, a column for each of a variable.
 type Matrix = Vec<Vec<Expr>>;
 
-/// True for what the way of dynamics knows: all that they are given but loads.
+/// True for what such a way knows: all that functions are given but loads.
 pub(in crate::functions) fn is_known(variable: &Variable) -> bool {
     matches!(variable, Variable::Given(own) if *own != Argument::Loads)
 }

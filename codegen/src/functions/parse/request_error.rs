@@ -266,7 +266,6 @@ fn with_a_word_of<'k>(name: &str, known: &'k [String]) -> impl Iterator<Item = &
     known.iter().filter(has_one)
 }
 
-/// The first of them.
 /// What to do about a name that is no variable, and how the list of variables begins.
 fn variables(function: &str, name: &str, known: &[String]) -> String {
     let advice = advice_on_variable(function, name, known);
@@ -278,6 +277,7 @@ fn variables(function: &str, name: &str, known: &[String]) -> String {
     advice + next
 }
 
+/// The first of them.
 fn names(known: &[String]) -> String {
     let names = known.iter().take(MOST_LISTED);
     let names: Vec<String> = names

@@ -81,19 +81,20 @@ impl Part {
         })
     }
 
-    /// The function whose plan suits the direct way: that whose entries derivatives are, or one that is like them.
-    pub(in crate::functions) fn alike(&self) -> Option<Self> {
-        let function = match self.direct()? {
-            Direct::Function(function) => function,
-            Direct::Matrices(_) | Direct::Second(_) | Direct::Solved(_) => {
-                self.function.derivatives_like?
-            }
+    /// The functions whose plans suit the direct way: that whose entries derivatives are, and the one that is said to be like them.
+    pub(in crate::functions) fn alike(&self) -> Vec<Self> {
+        let functions = match self.direct() {
+            None => [None; 2],
+            Some(Direct::Function(function)) => [self.function.derivatives_like, Some(function)],
+            Some(_) => [self.function.derivatives_like, None],
         };
-        Some(Self {
+        let functions = functions.into_iter().flatten();
+        let part = |function| Self {
             function,
             derivative: None,
             ..self.clone()
-        })
+        };
+        functions.map(part).collect()
     }
 
     /// True where derivatives have a way of their own, beside the sweeps.
@@ -107,7 +108,7 @@ impl Part {
         has_matrices && self.function.solves()
     }
 
-    /// True where columns may go several at a time by this plan: those of derivatives by matrices, and of the inverse.
+    /// True where columns may go several at a time by this plan: those of derivatives of dynamics, and of the inverse.
     pub(in crate::functions) fn has_columns(&self, plan: &Plan) -> bool {
         let inverts = |function: &Function| function.mass_matrix == MassMatrixUse::Inverse;
         if self.derivative.is_none() {
@@ -118,13 +119,16 @@ impl Part {
             .filter(|_| plan.uses(Technique::DirectDerivatives));
         match direct {
             Some(Direct::Function(function)) => inverts(function),
-            Some(Direct::Matrices(_) | Direct::Second(_)) => true,
+            // Those of what tells of the mass matrix are columns as it has them.
+            Some(Direct::Matrices(_) | Direct::Second(_)) => {
+                !self.function.derivatives_tell.is_empty()
+            }
             Some(Direct::Solved(_)) | None => false,
         }
     }
 
-    /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, second ones, and
-    /// those of forces by what that way does not know. By that, accelerations are solved for.
+    /// True where sweeps find derivatives even where functions are differentiated in ways of their own: those of other functions, second ones, and
+    /// those by what such a way does not know. By that, accelerations are solved for.
     pub(in crate::functions) fn is_swept_beside_direct(&self) -> bool {
         let Some(derivative) = &self.derivative else {
             return false;

@@ -5,6 +5,7 @@ use crate::{
     expr::{Expr, ExprGraph},
     functions::{
         derivatives::jacobians::is_known,
+        derived::Derived,
         told::{KnownMatrix, ReadOff, Told},
     },
     recursive::Plan,
@@ -14,7 +15,7 @@ use crate::{
 impl Part {
     /// True where deriving this part may tell the other one.
     pub(in crate::functions) fn may_tell(&self, other: &Self) -> bool {
-        if other.function.read_off.is_some() {
+        if other.read_off().is_some() {
             return self.finds_matrix_of(other);
         }
         let direct = self.direct();
@@ -24,9 +25,18 @@ impl Part {
 
     /// True where the other one may be read off a matrix that this part finds.
     pub(in crate::functions) fn finds_matrix_of(&self, other: &Self) -> bool {
-        let read_off = other.function.read_off.as_ref();
-        let read_off = read_off.filter(|_| other.derivative.is_none());
+        let read_off = other.read_off();
         read_off.is_some_and(|own| self.finds().contains(&own.matrix))
+    }
+
+    /// How its entries are read off a matrix that others may find, if they can be.
+    fn read_off(&self) -> Option<&'static ReadOff> {
+        let function = match self.direct() {
+            Some(Direct::Function(function)) => function,
+            _ if self.derivative.is_some() => return None,
+            _ => self.function,
+        };
+        function.read_off.as_ref()
     }
 
     /// The matrices that it may find beside its entries. Second derivatives find those of first ones.
@@ -56,13 +66,20 @@ impl Part {
         told: &Told,
         is_read_off: bool,
     ) -> Option<Vec<Expr>> {
-        if self.derivative.is_some() {
-            return None;
-        }
-        let Some(ReadOff { matrix, entries }) = self.function.read_off else {
-            return told.values(&self.name()).cloned();
+        let Some(ReadOff { matrix, entries }) = self.read_off() else {
+            let is_value = self.derivative.is_none();
+            return is_value
+                .then(|| told.values(&self.name()).cloned())
+                .flatten();
         };
-        let matrix = told.matrix(matrix).filter(|_| is_read_off)?;
-        Some(entries(graph, tree, plan, matrix))
+        let matrix = told.matrix(*matrix).filter(|_| is_read_off)?;
+        if self.derivative.is_none() {
+            return Some(entries(graph, tree, plan, matrix));
+        }
+        let mut read = Derived::default();
+        let sparsity = self.sparsity(tree);
+        let sizes = self.output_sizes(tree);
+        read.put(&sizes, std::slice::from_ref(matrix), sparsity.as_deref());
+        Some(read.roots)
     }
 }

@@ -23,17 +23,33 @@ pub(in crate::functions) fn mass_matrix_dot(
 ) -> Vec<Expr> {
     let rate = match way {
         Way::Notes => kane::coriolis::mass_matrix_dot(graph, tree),
-        Way::Recursive(plan) if plan.uses(Technique::Rates) => {
-            recursive::mass_matrix_dot::mass_matrix_dot(graph, tree, plan)
-        }
-        Way::Recursive(plan) => differentiated(graph, tree, plan),
+        Way::Recursive(plan) => rate_and_mass(graph, tree, plan).0,
     };
     rate.concat()
 }
 
+/// With the mass matrix, of which it is the rate.
+pub(in crate::functions) fn mass_matrix_dot_beside(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> (Vec<Expr>, Told) {
+    let (rate, mass) = rate_and_mass(graph, tree, plan);
+    let mass = with_rotors(graph, tree, mass);
+    (rate.concat(), Told::default().with(KnownMatrix::Mass, mass))
+}
+
+fn rate_and_mass(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> (SpeedMatrix, SpeedMatrix) {
+    if plan.uses(Technique::Rates) {
+        recursive::mass_matrix_dot::mass_matrix_dot(graph, tree, plan)
+    } else {
+        let mass = recursive::composite::mass_matrix(graph, tree, plan);
+        (differentiated(graph, tree, &mass), mass)
+    }
+}
+
 /// The rate of the mass matrix, from its entries.
-fn differentiated(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
-    let mass = recursive::composite::mass_matrix(graph, tree, plan);
+fn differentiated(graph: &mut ExprGraph, tree: &Tree, mass: &SpeedMatrix) -> SpeedMatrix {
     let places: Vec<[usize; 2]> = tree.coupled_speeds().into_iter().collect();
     let entries: Vec<Expr> = places.iter().map(|&[i, j]| mass[i][j]).collect();
     graph.enter(None);

@@ -25,13 +25,18 @@ use crate::{
     tree::{Motion, Tree},
 };
 
-/// `dA/dt`, `A` of Eq. (42).
-pub fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
+/// `dA/dt`, `A` of Eq. (42), and `A` without rotors: the columns' momenta hold it.
+pub fn mass_matrix_dot(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> (SpeedMatrix, SpeedMatrix) {
     let linkage = Linkage::of_speeds(graph, tree, plan);
     graph.begin(Purpose::Composite);
     let mut gathered = Gathered::<Spreading>::new(graph, &linkage);
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<RateColumn>::new());
     let mut a_dot = zero_matrix(graph, tree.n_speeds);
+    let mut a = a_dot.clone();
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let mut carried = Carried {
@@ -40,6 +45,7 @@ pub fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
             rates: gathered.rates[body],
             columns: std::mem::take(&mut columns[body]),
             a_dot: &mut a_dot,
+            a: &mut a,
         };
         linkage.passages[body].inward(graph, &mut carried);
         let Carried {
@@ -58,7 +64,7 @@ pub fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
             columns[lower].extend(others);
         }
     }
-    a_dot
+    (a_dot, a)
 }
 
 /// Momentum for a unit value of a speed and its rate, angular and linear, about the origin and along the axes that have been
@@ -137,6 +143,7 @@ struct Carried<'a> {
     rates: Spreading,
     columns: Vec<RateColumn>,
     a_dot: &'a mut SpeedMatrix,
+    a: &'a mut SpeedMatrix,
 }
 
 impl Carried<'_> {
@@ -171,14 +178,10 @@ impl Carried<'_> {
         });
         let last = self.columns.len() - 1;
         for (i, column) in self.columns.iter().enumerate() {
-            let entry = column.rate[place / 3][place % 3];
-            speed_matrix::add_mirrored(
-                graph,
-                self.a_dot,
-                [motion, column.motion],
-                entry,
-                i == last,
-            );
+            let row = [motion, column.motion];
+            let (part, axis) = (place / 3, place % 3);
+            speed_matrix::add_mirrored(graph, self.a_dot, row, column.rate[part][axis], i == last);
+            speed_matrix::add_mirrored(graph, self.a, row, column.momentum[part][axis], i == last);
         }
     }
 }

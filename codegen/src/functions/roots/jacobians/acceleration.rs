@@ -1,11 +1,11 @@
 //! Derivatives of accelerations of frames.
 //!
-//! Motions before one give the frame `W` and `α`, those from it on `V`, `W'`, `a'`, `α'` as they are seen from before it. The motion, with the column
-//! `v`, `w`, carries the latter as a whole and moves the frame: by its coordinate the acceleration changes by
-//! `α × v + W × (W × v + 2 w × V) + w × a'` and `w × α' + W × (w × W')`.
+//! Motions from one on give the frame `V`, `W`, `a`, `α` as they are seen from before it, those before it `W'` and `α'`. The motion, with the column
+//! `v`, `w`, carries the former as a whole and moves the frame: by its coordinate the acceleration changes by
+//! `α' × v + W' × (W' × v + 2 w × V) + w × a` and `w × α + W' × (w × W)`.
 
 use super::{
-    columns::of_rows,
+    columns::{by_rows, of_rows},
     moving::{Moved, Moving, Twist},
     totals::by_coordinates,
 };
@@ -67,8 +67,7 @@ fn derived(
     };
     let mut by = vec![(Argument::Q, by_q), (Argument::U, by_u)];
     if accelerations == Accelerations::Given {
-        let rows = by_u_dot.chunks(tree.n_speeds);
-        by.push((Argument::UDot, rows.map(<[Expr]>::to_vec).collect()));
+        by.push((Argument::UDot, by_rows(&by_u_dot, tree.n_speeds)));
     }
     Jacobians {
         by,

@@ -1,6 +1,10 @@
 //! Derivatives of Jacobians of frames: how each column changes by the motion of another one.
 
-use super::{carrying::Carrying, totals::by_coordinates};
+use super::{
+    carrying::Carrying,
+    moving::{Twist, seen_from_frame},
+    totals::by_coordinates,
+};
 use crate::{
     differentiate::Sweep,
     expr::{Expr, ExprGraph, Vector},
@@ -13,6 +17,7 @@ use crate::{
     },
     id::SpeedId,
     recursive::Plan,
+    solve::SpeedMatrix,
     tree::Tree,
 };
 
@@ -72,7 +77,7 @@ fn of_columns(
                     if is_carried {
                         none
                     } else {
-                        seen_from_frame(graph, columns[place], columns[by])
+                        seen_from_frame(graph, columns[by], columns[place])
                     }
                 } else {
                     changed(graph, columns[place], columns[by], is_carried)
@@ -92,12 +97,7 @@ fn of_columns(
 }
 
 /// How a column, linear and angular, changes by the motion of another one, along axes that do not turn.
-fn changed(
-    graph: &mut ExprGraph,
-    [v, w]: [Vector; 2],
-    [v_by, w_by]: [Vector; 2],
-    is_carried: bool,
-) -> [Vector; 2] {
+fn changed(graph: &mut ExprGraph, [v, w]: Twist, [v_by, w_by]: Twist, is_carried: bool) -> Twist {
     if is_carried {
         [graph.cross(w_by, v), graph.cross(w_by, w)]
     } else {
@@ -105,18 +105,8 @@ fn changed(
     }
 }
 
-/// The same along the frame's axes, by a motion that does not carry the column's axis.
-fn seen_from_frame(
-    graph: &mut ExprGraph,
-    [v, w]: [Vector; 2],
-    [v_by, w_by]: [Vector; 2],
-) -> [Vector; 2] {
-    let (moved, turned) = (graph.cross(w, v_by), graph.cross(v, w_by));
-    [graph.add_vectors(moved, turned), graph.cross(w, w_by)]
-}
-
 /// The columns of a Jacobian, linear and angular, of its entries by rows.
-pub(super) fn of_rows(entries: &[Expr], n_columns: usize) -> Vec<[Vector; 2]> {
+pub(super) fn of_rows(entries: &[Expr], n_columns: usize) -> Vec<Twist> {
     let vector = |first: usize, column: usize| -> Vector {
         std::array::from_fn(|i| entries[(first + i) * n_columns + column])
     };
@@ -124,4 +114,9 @@ pub(super) fn of_rows(entries: &[Expr], n_columns: usize) -> Vec<[Vector; 2]> {
     columns
         .map(|column| [vector(0, column), vector(3, column)])
         .collect()
+}
+
+/// The rows of a matrix of its entries.
+pub(super) fn by_rows(entries: &[Expr], n_columns: usize) -> SpeedMatrix {
+    entries.chunks(n_columns).map(<[Expr]>::to_vec).collect()
 }

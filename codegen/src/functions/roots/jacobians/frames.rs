@@ -1,15 +1,10 @@
 //! Derivatives of where frames are: what the frame's own motion turns.
 
-use super::totals::by_coordinates;
+use super::columns::by_rows;
 use crate::{
-    differentiate::Sweep,
     expr::{Expr, ExprGraph, Vector},
     functions::{
-        argument::Argument,
-        formulation::Way,
-        function::Jacobians,
-        roots::frames,
-        subject::{Subject, View},
+        argument::Argument, formulation::Way, function::Jacobians, roots::frames, subject::Subject,
     },
     recursive::Plan,
     tree::Tree,
@@ -24,17 +19,11 @@ pub(in crate::functions) fn pose(
 ) -> Jacobians {
     let way = Way::Recursive(plan);
     let pose = frames::pose(graph, tree, way, subject);
-    let by_q = if subject.view == View::Other {
-        // The other frame's axes may be given, and be none of a rotation.
-        by_coordinates(graph, tree, Sweep::Forward, &pose)
-    } else {
-        let motion = frames::jacobian(graph, tree, way, subject);
-        let motion: Vec<Vec<Expr>> = motion.chunks(tree.n_speeds).map(<[_]>::to_vec).collect();
-        let (linear, angular) = motion.split_at(3);
-        let mut rows = turned(graph, &pose[..9], angular);
-        rows.extend_from_slice(linear);
-        rows
-    };
+    let motion = frames::jacobian(graph, tree, way, subject);
+    let motion = by_rows(&motion, tree.n_speeds);
+    let (linear, angular) = motion.split_at(3);
+    let mut by_q = turned(graph, &pose[..9], angular);
+    by_q.extend_from_slice(linear);
     Jacobians {
         by: vec![(Argument::Q, by_q)],
         values: Some(pose),

@@ -36,7 +36,7 @@ pub(super) struct Moved {
 #[derive(Debug)]
 pub(super) struct Moving {
     pub(super) groups: Vec<Group>,
-    /// By the motions before each group, and by all.
+    /// By the motions before each group, and by all. Of accelerations it holds the angular part alone.
     pub(super) before: Vec<Moved>,
     /// By each group and those after it, seen from before it; and by none.
     pub(super) after: Vec<Moved>,
@@ -149,4 +149,14 @@ impl Moved {
             acceleration,
         }
     }
+}
+
+/// How a velocity along the frame's own axes, which some motions give, changes by a motion that carries none of them. So does a column of theirs.
+pub(super) fn seen_from_frame(
+    graph: &mut ExprGraph,
+    [v, w]: Twist,
+    [v_before, w_before]: Twist,
+) -> Twist {
+    let (moved, turned) = (graph.cross(w_before, v), graph.cross(v_before, w));
+    [graph.add_vectors(moved, turned), graph.cross(w_before, w)]
 }

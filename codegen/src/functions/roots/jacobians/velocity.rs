@@ -1,8 +1,8 @@
 //! Derivatives of velocities of frames: a motion carries what motions farther out add, and moves the frame under those before it.
 
 use super::{
-    columns::of_rows,
-    moving::{Moving, Twist},
+    columns::{by_rows, of_rows},
+    moving::{Moving, Twist, seen_from_frame},
     totals::by_coordinates,
 };
 use crate::{
@@ -37,7 +37,7 @@ pub(in crate::functions) fn velocity(
     } else {
         by_motions(graph, tree, subject, &of_rows(&by_u, tree.n_speeds))
     };
-    let by_u = by_u.chunks(tree.n_speeds).map(<[Expr]>::to_vec).collect();
+    let by_u = by_rows(&by_u, tree.n_speeds);
     Jacobians {
         by: vec![(Argument::Q, by_q), (Argument::U, by_u)],
         values: Some(values),
@@ -75,10 +75,4 @@ fn by_motions(
 fn changed(graph: &mut ExprGraph, [v, w]: Twist, [_, w_before]: Twist, after: Twist) -> Twist {
     let (carried, moved) = (graph.cross(w, after[0]), graph.cross(w_before, v));
     [graph.add_vectors(carried, moved), graph.cross(w, after[1])]
-}
-
-/// The same along the frame's own axes, where what is carried does not change.
-fn seen_from_frame(graph: &mut ExprGraph, [v, w]: Twist, [v_before, w_before]: Twist) -> Twist {
-    let (moved, turned) = (graph.cross(w_before, v), graph.cross(v_before, w));
-    [graph.add_vectors(moved, turned), graph.cross(w_before, w)]
 }
