@@ -70,7 +70,7 @@ pub(super) const POSE: Function = Function {
         "and the position of its origin from {origin}, {base} components, {position}. Also known as frame placement, forward kinematics.",
         "The transposed matrix maps the frame's components to {base} ones.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::frames::pose)),
+    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::frames::pose::pose)),
     derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::pose),
     ..PLAIN
@@ -95,7 +95,9 @@ pub(super) const VELOCITY: Function = Function {
         "Also known as frame velocity, spatial velocity at the frame's origin, twist.",
     ],
     derivatives_are: &[(Argument::U, &JACOBIAN)],
-    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::velocity::velocity)),
+    derivatives: Some(JacobiansFn::OfFrames(
+        roots::jacobians::frames::velocity::velocity,
+    )),
     derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::velocity),
     ..PLAIN
@@ -121,7 +123,7 @@ pub(super) const ACCELERATION: Function = Function {
     ],
     derivatives_are: &[(Argument::UDot, &JACOBIAN)],
     derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::acceleration::acceleration,
+        roots::jacobians::frames::acceleration::acceleration,
     )),
     derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::acceleration),
@@ -138,7 +140,9 @@ pub(super) const JACOBIAN: Function = Function {
         "Jacobian of the frame {frame} {seen}: times `u` the velocity of its origin, m/s, and its angular velocity, rad/s.",
         "A column for each speed, zero but for those of {speeds}. Also known as geometric Jacobian, frame Jacobian, task Jacobian.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::columns::jacobian)),
+    derivatives: Some(JacobiansFn::OfFrames(
+        roots::jacobians::frames::columns::jacobian,
+    )),
     derivation: Derivation::OfFrames(roots::frames::jacobian),
     terms: Terms::OfPath,
     ..PLAIN
@@ -155,7 +159,7 @@ pub(super) const JACOBIAN_PACKED: Function = Function {
         "Times these speeds the velocity of the frame's origin, m/s, and its angular velocity, rad/s.",
     ],
     derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::columns::jacobian_packed,
+        roots::jacobians::frames::columns::jacobian_packed,
     )),
     derivation: Derivation::OfFrames(roots::frames::jacobian_packed),
     terms: Terms::OfPath,
@@ -176,7 +180,7 @@ pub(super) const POINT_JACOBIAN: Function = Function {
         "A column for each speed, zero but for those of {speeds}. The point may be another at each call, for contacts that move.",
     ],
     derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::columns::point_jacobian,
+        roots::jacobians::frames::columns::point_jacobian,
     )),
     derivation: Derivation::OfFrames(roots::frames::point_jacobian),
     terms: Terms::OfPath,
@@ -202,7 +206,7 @@ pub(super) const JACOBIAN_DOT_U: Function = Function {
         "of its origin, {linear}, and angular, {angular}; {axes}. Also known as drift, bias acceleration, `J_dot q_dot`.",
     ],
     derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::acceleration::jacobian_dot_u,
+        roots::jacobians::frames::acceleration::jacobian_dot_u,
     )),
     derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::jacobian_dot_u),

@@ -39,7 +39,9 @@ pub(super) const LINEAR_VELOCITY: Function = Function {
         "Also known as translational velocity.",
     ],
     derivatives_are: &[(Argument::U, &LINEAR_JACOBIAN)],
-    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::linear::velocity)),
+    derivatives: Some(JacobiansFn::OfFrames(
+        roots::jacobians::frames::linear::velocity,
+    )),
     derivatives_like: Some(&LINEAR_JACOBIAN),
     derivation: Derivation::OfFrames(roots::linear::velocity),
     ..PLAIN
@@ -57,7 +59,7 @@ pub(super) const LINEAR_ACCELERATION: Function = Function {
     ],
     derivatives_are: &[(Argument::UDot, &LINEAR_JACOBIAN)],
     derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::linear::acceleration,
+        roots::jacobians::frames::linear::acceleration,
     )),
     derivatives_like: Some(&LINEAR_JACOBIAN),
     derivation: Derivation::OfFrames(roots::linear::acceleration),
@@ -78,7 +80,9 @@ pub(super) const LINEAR_JACOBIAN: Function = Function {
         "Jacobian of the origin of the frame {frame} {seen}: times `u` its velocity, m/s.",
         "A column for each speed, zero but for those of {speeds}. Also known as translational Jacobian, position Jacobian, Jacobian of a point contact.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::linear::jacobian)),
+    derivatives: Some(JacobiansFn::OfFrames(
+        roots::jacobians::frames::linear::jacobian,
+    )),
     derivation: Derivation::OfFrames(roots::linear::jacobian),
     terms: Terms::OfPath,
     ..PLAIN
@@ -99,7 +103,7 @@ pub(super) const LINEAR_JACOBIAN_PACKED: Function = Function {
         "Times these speeds the velocity of the origin, m/s.",
     ],
     derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::linear::jacobian_packed,
+        roots::jacobians::frames::linear::jacobian_packed,
     )),
     derivation: Derivation::OfFrames(roots::linear::jacobian_packed),
     terms: Terms::OfPath,
@@ -117,7 +121,7 @@ pub(super) const LINEAR_JACOBIAN_DOT_U: Function = Function {
         "{linear}; {axes}.",
     ],
     derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::linear::jacobian_dot_u,
+        roots::jacobians::frames::linear::jacobian_dot_u,
     )),
     derivatives_like: Some(&LINEAR_JACOBIAN),
     derivation: Derivation::OfFrames(roots::linear::jacobian_dot_u),

@@ -1,11 +1,12 @@
 //! Derivatives of forces, put together from composite bodies and from what acts in joints.
 
+use super::swept::swept;
 use crate::{
-    differentiate::{Row, Seeds, forward, reverse},
+    differentiate::{Seeds, Sweep, forward},
     expr::ExprGraph,
     functions::{
-        argument::Argument, derivatives::derivative::entries, formulation::Way,
-        function::Jacobians, roots::dynamics, variable::Variable,
+        argument::Argument, formulation::Way, function::Jacobians, roots::dynamics,
+        variable::Variable,
     },
     given::{Accelerations, Loads},
     recursive::{
@@ -70,12 +71,8 @@ pub(in crate::functions) fn gravity_forces(
     plan: &Plan,
 ) -> Jacobians {
     let potential = energy::of_weights(graph, tree, plan);
-    let mut seeds = Seeds::new();
-    Variable::Given(Argument::Q).seed(graph, tree, 0, &mut seeds);
-    let gradient = reverse(graph, &[potential], &seeds);
-    let forces = dense(graph, tree, &gradient).concat();
-    let rows = forward(graph, &forces, &seeds);
-    let mut by_q = dense(graph, tree, &rows);
+    let forces = swept(graph, tree, Argument::Q, Sweep::Reverse, &[potential]).concat();
+    let mut by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &forces);
     let kept = tree.order_dependent_turns();
     let pairs = (0..tree.n_speeds).flat_map(|row| (0..row).map(move |column| [row, column]));
     for [row, column] in pairs.filter(|pair| !kept.contains(pair)) {
@@ -86,13 +83,6 @@ pub(in crate::functions) fn gravity_forces(
         values: Some(forces),
         mass: None,
     }
-}
-
-/// Rows with a place for each speed.
-pub(super) fn dense(graph: &mut ExprGraph, tree: &Tree, rows: &[Row]) -> SpeedMatrix {
-    let rows = rows.iter();
-    rows.map(|row| entries(graph, row, 0..tree.n_speeds))
-        .collect()
 }
 
 fn of_forces(

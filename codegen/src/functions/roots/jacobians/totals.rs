@@ -2,14 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::forces::dense;
+use super::swept::swept;
 use crate::{
-    differentiate::{Seeds, Sweep},
+    differentiate::Sweep,
     expr::{Expr, ExprGraph, Input, Vector},
-    functions::{
-        argument::Argument, formulation::Way, function::Jacobians, roots::matrices,
-        variable::Variable,
-    },
+    functions::{argument::Argument, formulation::Way, function::Jacobians, roots::matrices},
     given::mechanics,
     kane::center::Momentum,
     recursive::{
@@ -17,7 +14,6 @@ use crate::{
         forces::gravity,
         totals::{energy, momentum, momentum_matrix},
     },
-    solve::SpeedMatrix,
     tree::Tree,
 };
 
@@ -29,7 +25,7 @@ pub(in crate::functions) fn potential_energy(
 ) -> Jacobians {
     let of_weights = gravity::gravity_forces(graph, tree, plan);
     let springs = mechanics::potential(graph, tree);
-    let of_springs = by_coordinates(graph, tree, Sweep::Reverse, &[springs]).concat();
+    let of_springs = swept(graph, tree, Argument::Q, Sweep::Reverse, &[springs]).concat();
     let gradient = of_weights.into_iter().zip(of_springs);
     let gradient = gradient.map(|(weight, spring)| graph.add(weight, spring));
     Jacobians {
@@ -56,7 +52,7 @@ pub(in crate::functions) fn kinetic_energy(
         by: vec![
             (
                 Argument::Q,
-                by_coordinates(graph, tree, Sweep::Reverse, &[energy]),
+                swept(graph, tree, Argument::Q, Sweep::Reverse, &[energy]),
             ),
             (Argument::U, vec![by_u]),
         ],
@@ -97,24 +93,11 @@ fn of_momentum(
         by: vec![
             (
                 Argument::Q,
-                by_coordinates(graph, tree, Sweep::Forward, &momentum),
+                swept(graph, tree, Argument::Q, Sweep::Forward, &momentum),
             ),
             (Argument::U, by_u),
         ],
         values: Some(momentum.to_vec()),
         mass: None,
     }
-}
-
-/// By coordinates, swept for.
-pub(super) fn by_coordinates(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    sweep: Sweep,
-    values: &[Expr],
-) -> SpeedMatrix {
-    let mut seeds = Seeds::new();
-    Variable::Given(Argument::Q).seed(graph, tree, 0, &mut seeds);
-    let rows = sweep.rows(graph, values, &seeds);
-    dense(graph, tree, &rows)
 }

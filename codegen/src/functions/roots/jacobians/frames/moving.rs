@@ -9,6 +9,7 @@ use crate::{
     functions::subject::Subject,
     given::{self, Accelerations},
     id::SpeedId,
+    solve::SpeedMatrix,
     tree::{Motion, Tree},
 };
 
@@ -159,4 +160,11 @@ pub(super) fn seen_from_frame(
 ) -> Twist {
     let (moved, turned) = (graph.cross(w_before, v), graph.cross(v_before, w));
     [graph.add_vectors(moved, turned), graph.cross(w_before, w)]
+}
+
+/// Puts what a motion changes into the column of its speed.
+pub(super) fn put(rows: &mut SpeedMatrix, column: usize, changes: Twist) {
+    for (row, &entry) in rows.iter_mut().zip(changes.as_flattened()) {
+        row[column] = entry;
+    }
 }

@@ -3,7 +3,6 @@
 use super::{
     carrying::Carrying,
     moving::{Twist, seen_from_frame},
-    totals::by_coordinates,
 };
 use crate::{
     differentiate::Sweep,
@@ -12,7 +11,7 @@ use crate::{
         argument::Argument,
         formulation::Way,
         function::Jacobians,
-        roots::frames,
+        roots::{frames, jacobians::swept::swept},
         subject::{Subject, View},
     },
     id::SpeedId,
@@ -27,9 +26,8 @@ pub(in crate::functions) fn jacobian(
     plan: &Plan,
     subject: &Subject,
 ) -> Jacobians {
-    let speeds: Vec<SpeedId> = (0..tree.n_speeds).map(SpeedId::new).collect();
     let entries = frames::jacobian(graph, tree, Way::Recursive(plan), subject);
-    of_columns(graph, tree, subject, &speeds, entries)
+    of_columns(graph, tree, subject, &all(tree), entries)
 }
 
 pub(in crate::functions) fn jacobian_packed(
@@ -48,9 +46,12 @@ pub(in crate::functions) fn point_jacobian(
     plan: &Plan,
     subject: &Subject,
 ) -> Jacobians {
-    let speeds: Vec<SpeedId> = (0..tree.n_speeds).map(SpeedId::new).collect();
     let entries = frames::point_jacobian(graph, tree, Way::Recursive(plan), subject);
-    of_columns(graph, tree, subject, &speeds, entries)
+    of_columns(graph, tree, subject, &all(tree), entries)
+}
+
+fn all(tree: &Tree) -> Vec<SpeedId> {
+    (0..tree.n_speeds).map(SpeedId::new).collect()
 }
 
 /// How the columns of these speeds change, entries by rows: with a motion that carries their axis they turn as a whole; by others the axis
@@ -63,7 +64,7 @@ fn of_columns(
     entries: Vec<Expr>,
 ) -> Jacobians {
     let by_q = if subject.view == View::Other || tree.has_followers() {
-        by_coordinates(graph, tree, Sweep::Forward, &entries)
+        swept(graph, tree, Argument::Q, Sweep::Forward, &entries)
     } else {
         let n = speeds.len();
         let columns = of_rows(&entries, n);
@@ -72,15 +73,11 @@ fn of_columns(
         for (place, &speed) in speeds.iter().enumerate() {
             for (by, &cause) in speeds.iter().enumerate() {
                 let is_carried = carrying.carries(cause, speed);
-                let changes = if subject.view == View::Local {
-                    let none = [graph.zero_vector(); 2];
-                    if is_carried {
-                        none
-                    } else {
-                        seen_from_frame(graph, columns[by], columns[place])
-                    }
-                } else {
-                    changed(graph, columns[place], columns[by], is_carried)
+                let (own, other) = (columns[place], columns[by]);
+                let changes = match (subject.view == View::Local, is_carried) {
+                    (true, true) => continue,
+                    (true, false) => seen_from_frame(graph, other, own),
+                    (false, _) => changed(graph, own, other, is_carried),
                 };
                 for (i, &entry) in changes.as_flattened().iter().enumerate() {
                     rows[i * n + place][cause.index()] = entry;

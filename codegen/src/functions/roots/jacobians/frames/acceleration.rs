@@ -6,19 +6,17 @@
 
 use super::{
     columns::{by_rows, of_rows},
-    moving::{Moved, Moving, Twist},
-    totals::by_coordinates,
+    moving::{Moved, Moving, Twist, put},
 };
 use crate::{
-    differentiate::{Seeds, Sweep},
+    differentiate::Sweep,
     expr::{Expr, ExprGraph, Vector},
     functions::{
         argument::Argument,
         formulation::Way,
         function::Jacobians,
-        roots::frames,
+        roots::{frames, jacobians::swept::swept},
         subject::{Subject, View},
-        variable::Variable,
     },
     given::Accelerations,
     recursive::Plan,
@@ -56,11 +54,9 @@ fn derived(
     let by_u_dot = frames::jacobian(graph, tree, way, subject);
     let (values, by_q, by_u) = if tree.has_followers() {
         let values = frames::accelerated(graph, tree, way, subject, accelerations);
-        let by_q = by_coordinates(graph, tree, Sweep::Forward, &values);
-        let mut seeds = Seeds::new();
-        Variable::Given(Argument::U).seed(graph, tree, 0, &mut seeds);
-        let by_u = Sweep::Forward.rows(graph, &values, &seeds);
-        (values, by_q, super::forces::dense(graph, tree, &by_u))
+        let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &values);
+        let by_u = swept(graph, tree, Argument::U, Sweep::Forward, &values);
+        (values, by_q, by_u)
     } else {
         let columns = of_rows(&by_u_dot, tree.n_speeds);
         by_motions(graph, tree, subject, &columns, accelerations)
@@ -111,12 +107,6 @@ fn by_motions(
         }
     }
     (whole.concat(), by_q, by_u)
-}
-
-fn put(rows: &mut SpeedMatrix, column: usize, changes: Twist) {
-    for (row, &entry) in rows.iter_mut().zip(changes.as_flattened()) {
-        row[column] = entry;
-    }
 }
 
 fn by_coordinate(graph: &mut ExprGraph, [v, w]: Twist, before: &Moved, after: &Moved) -> Twist {

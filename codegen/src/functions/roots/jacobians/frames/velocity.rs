@@ -2,8 +2,7 @@
 
 use super::{
     columns::{by_rows, of_rows},
-    moving::{Moving, Twist, seen_from_frame},
-    totals::by_coordinates,
+    moving::{Moving, Twist, put, seen_from_frame},
 };
 use crate::{
     differentiate::Sweep,
@@ -12,7 +11,7 @@ use crate::{
         argument::Argument,
         formulation::Way,
         function::Jacobians,
-        roots::frames,
+        roots::{frames, jacobians::swept::swept},
         subject::{Subject, View},
     },
     given::Accelerations,
@@ -32,7 +31,7 @@ pub(in crate::functions) fn velocity(
     let by_u = frames::jacobian(graph, tree, way, subject);
     let (values, by_q) = if tree.has_followers() {
         let velocity = frames::velocity(graph, tree, way, subject);
-        let by_q = by_coordinates(graph, tree, Sweep::Forward, &velocity);
+        let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &velocity);
         (velocity, by_q)
     } else {
         by_motions(graph, tree, subject, &of_rows(&by_u, tree.n_speeds))
@@ -63,9 +62,7 @@ fn by_motions(
             } else {
                 changed(graph, own, before, after)
             };
-            for (row, &entry) in rows.iter_mut().zip(changes.as_flattened()) {
-                row[speed.index()] = entry;
-            }
+            put(&mut rows, speed.index(), changes);
         }
     }
     (moving.after[0].velocity.concat(), rows)
