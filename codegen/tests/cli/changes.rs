@@ -101,6 +101,20 @@ fn values_that_are_none_are_refused() {
 }
 
 #[test]
+fn a_coordinate_of_an_orientation_cannot_be_locked() {
+    let project = Project::arm();
+    let free = "\"free\"\nchart = \"quaternion\"";
+    project.replace("models/arm.toml", r#"["theta1", "s2"]"#, free);
+    let ran = project.kane(&["info", "models/arm.toml", "--lock", "upper_e1=0.3"]);
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err.contains("it is part of an orientation"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
 fn names_given_twice_are_reported_together() {
     let arguments = [
         "info",

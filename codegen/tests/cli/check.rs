@@ -439,6 +439,19 @@ fn operations_of_functions_in_one_and_at_sines_and_cosines_are_compared_like_oth
 }
 
 #[test]
+fn a_command_to_copy_names_a_model_that_begins_with_a_dash() {
+    let project = Project::arm();
+    project.write("-arm.toml", &project.read("models/arm.toml"));
+    let ran = project.kane(&["check", "--output", "arm.rs", "--", "-arm.toml"]);
+    assert_eq!(ran.code, 1, "{}", ran.err);
+    let told = ran.out + &ran.err;
+    assert!(
+        told.contains("kane generate ./-arm.toml --output arm.rs"),
+        "{told}"
+    );
+}
+
+#[test]
 fn functions_given_on_the_command_line_are_joined_as_in_the_file() {
     let project = Project::arm();
     let text = |functions: &str| {
@@ -452,13 +465,16 @@ fn functions_given_on_the_command_line_are_joined_as_in_the_file() {
             .contains("functions: mass_matrix+bias, mass_matrix+bias(sin_cos);")
     );
     assert!(ran.out.contains("pub fn mass_matrix_and_bias_at_sin_cos<"));
-    let ran = text("bias+bais,bias+bias,bias+partial_velocity,bias+mass_matrix,bias+mass_matrix");
+    let ran = text(
+        "bias+bais,bias+bias,bias+partial_velocity,bias+mass_matrix,bias+mass_matrix, bias,bias",
+    );
     assert_eq!(ran.code, 2);
     for fault in [
         "`bais` is no function; did you mean `bias`?",
         "`bias+bias` names `bias` twice",
         "`bias+partial_velocity` joins `partial_velocity` to others",
         "--functions names `bias+mass_matrix` twice",
+        "--functions names `bias` twice",
     ] {
         assert!(ran.err.contains(fault), "{fault}\n{}", ran.err);
     }

@@ -266,6 +266,13 @@ fn places_that_mean_something_else_are_breaking() {
     let ran = project.kane(&["diff", "old.rs", "new.rs"]);
     let told = "\nBREAKING: places that mean something else\n  changed  prescribed speeds  elbow_dot -> upper_theta1_dot, upper_s2_dot\n";
     assert!(ran.out.contains(told), "{}", ran.out);
+    project.write(
+        "renamed.rs",
+        &project.read("old.rs").replace("elbow", "knee"),
+    );
+    let renamed = project.kane(&["diff", "old.rs", "renamed.rs"]);
+    assert!(renamed.out.contains("knee_dot"), "{}", renamed.out);
+    assert!(!renamed.out.contains("places that mean"), "{}", renamed.out);
     let ran = project.kane(&["diff", "old.rs", "new.rs", "--format", "json"]);
     let told: Value = serde_json::from_str(&ran.out).unwrap();
     assert_eq!(told["breaking"], true);

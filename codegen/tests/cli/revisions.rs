@@ -40,6 +40,26 @@ fn revisions_are_read_from_git() {
     assert_eq!((ran.code, ran.out.as_str()), (0, ""));
 }
 
+#[test]
+fn files_in_hidden_folders_are_read_from_the_root() {
+    let project = Project::empty();
+    let body = "<body><joint axis='0 0 1'/><geom size='0.1' mass='1.5'/></body>";
+    let main = "<mujoco><worldbody><include file='body.xml'/></worldbody></mujoco>";
+    project.write(".robots/arm.xml", main);
+    project.write(
+        ".robots/body.xml",
+        &format!("<mujocoinclude>{body}</mujocoinclude>"),
+    );
+    project.write("below/file", "");
+    let project = project.committed();
+    project.replace(".robots/body.xml", "1.5", "1.25");
+    for (folder, new) in [("", ".robots/arm.xml"), ("below", "../.robots/arm.xml")] {
+        let ran = project.kane_in(folder, &["diff", "HEAD:.robots/arm.xml", new]);
+        assert_eq!(ran.code, 1, "{}", ran.err);
+        assert!(ran.out.contains("1.5 -> 1.25"), "{}", ran.out);
+    }
+}
+
 /// A repository whose second commit changed the arm, listed a second system and left a third one out.
 fn history() -> Project {
     let project = Project::arm();

@@ -1,7 +1,8 @@
 //! Derivatives: of every function by every variable against differences of order 12, and every way to them against each other.
 
 use kane_codegen::{
-    expr::Input,
+    description::Reading,
+    expr::{Expr, Input},
     functions::{Argument, CATALOGUE, Formulation, Function, Request},
     id::ParameterId,
     recursive::{Plan, Technique},
@@ -15,6 +16,7 @@ use kane_test_support::{
 };
 
 use crate::{
+    compiled::read,
     evaluator::input,
     frames::{evaluate_by, relative, request, system},
 };
@@ -284,4 +286,19 @@ fn a_named_parameter_has_the_column_of_all() {
         let column: Vec<f64> = all.chunks(n).map(|row| row[place]).collect();
         assert_within(name, relative(&one, &column), EXACT);
     }
+}
+
+/// A number that single precision rounds to zero would divide by it.
+#[expect(clippy::cast_possible_truncation, reason = "to see what is lost")]
+#[test]
+fn derivatives_of_sizes_have_no_number_that_single_precision_makes_zero() {
+    let tree = read("models/eight_body.toml", &Reading::default());
+    let request = request(&tree, "d(singularity)/d(q)");
+    let derived = request.derive(&tree, Formulation::Notes, &Plan::full(&tree));
+    let graph = &derived.graph;
+    let numbers = graph.ids().filter_map(|id| graph.as_number(Expr::of(id)));
+    let numbers: Vec<f64> = numbers.filter(|number| *number != 0.0).collect();
+    assert!(numbers.iter().any(|number| *number < 1e-30));
+    let zero = numbers.iter().find(|number| **number as f32 == 0.0);
+    assert_eq!(zero, None);
 }
