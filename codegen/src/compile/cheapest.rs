@@ -82,7 +82,7 @@ fn by_one_plan(plans: &Plans<'_>, request: &Request) -> Planned {
     let sweeps = |plan: &Plan| sweeps::ways(tree, request, Formulation::Recursive, without, plan);
     let mut ways = Vec::new();
     let rates = Technique::Rates;
-    if request.chooses(rates) && !without.contains(&rates) {
+    if request.heeds(rates) && !without.contains(&rates) {
         // Rates that are dearer may change more cheaply.
         ways.extend(sweeps(&forward.with(rates, !forward.uses(rates))));
     }

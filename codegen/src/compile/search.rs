@@ -34,7 +34,7 @@ const MOST_STARTS: usize = 1_500;
 pub(super) fn plan(tree: &Tree, request: &Request, without: &BTreeSet<Technique>) -> Plan {
     let best = of_starts(tree, request, without);
     let rates = Technique::Rates;
-    if !request.chooses(rates) || without.contains(&rates) {
+    if !request.heeds(rates) || without.contains(&rates) {
         return best;
     }
     // Little of what suits one way to rates suits the other.
@@ -68,13 +68,13 @@ fn of_starts(tree: &Tree, request: &Request, without: &BTreeSet<Technique>) -> P
 /// What is left out where the search starts. How inertias are best regrouped depends most on two techniques; what else is best for
 /// a frame depends on how it passes.
 fn starts(request: &Request, without: &BTreeSet<Technique>) -> Vec<Vec<Technique>> {
-    use Technique::{Balance, Inward, Levers, Slide};
-    let of_links: &[&[Technique]] = if request.reads_inertias() {
+    use Technique::{Balance, Inward, Levers, Regroup, Slide};
+    let of_links: &[&[Technique]] = if request.heeds(Regroup) {
         &[&[], &[Balance], &[Slide], &[Balance, Slide]]
     } else {
         &[&[], &[Slide]]
     };
-    let of_frames: &[&[Technique]] = if request.passes_frames() {
+    let of_frames: &[&[Technique]] = if request.heeds(Inward) {
         &[&[], &[Inward], &[Inward, Levers]]
     } else {
         &[&[]]
@@ -253,7 +253,7 @@ impl Search<'_> {
     /// The inverse column by column from articulated bodies.
     fn try_solving_by_columns(&mut self) {
         let carriers = Technique::Carriers;
-        if self.request.inverts() && self.plan.uses(carriers) {
+        if self.request.heeds(carriers) && self.plan.uses(carriers) {
             self.try_one(self.plan.with(carriers, false));
         }
     }
@@ -271,7 +271,10 @@ impl Search<'_> {
             let factor = !without.contains(&Technique::Factor);
             let mut plain = Plan::plain(self.tree).with(Technique::Factor, factor);
             for way in [Technique::Inward, Technique::Levers] {
-                plain.set(way, self.request.passes_frames() && start.uses(way));
+                plain.set(
+                    way,
+                    self.request.heeds(Technique::Inward) && start.uses(way),
+                );
             }
             self.try_one(plain);
         }
@@ -332,32 +335,16 @@ impl Search<'_> {
     /// True where the count may depend on whether the technique is used.
     fn says_something(&self, technique: Technique) -> bool {
         match technique {
-            Technique::Regroup | Technique::Balance | Technique::SecondMoments => {
-                self.request.reads_inertias()
-            }
-            Technique::Weights => self.request.chooses(technique),
             Technique::Articulated => self.factors_have_a_chance(),
-            Technique::LinkAxes | Technique::Fall => self.request.solves(),
-            Technique::Carriers => self.request.inverts(),
-            Technique::Inward => self.request.passes_frames(),
-            Technique::Levers => {
-                self.request.passes_frames() || self.request.has_inertial_columns()
-            }
-            Technique::Rates
-            | Technique::DirectDerivatives
-            | Technique::Reverse
-            | Technique::Lockstep => false,
-            Technique::Slide
-            | Technique::Turn
-            | Technique::Parallel
-            | Technique::Shortcut
-            | Technique::Factor => true,
+            // A search of its own finds what suits each way.
+            Technique::Rates => false,
+            _ => self.request.heeds(technique),
         }
     }
 
     /// True where the count depends on how a plan regroups inertias.
     fn regroups(&self, plan: &Plan) -> bool {
-        self.request.reads_inertias() && plan.uses(Technique::Regroup)
+        self.request.heeds(Technique::Regroup) && plan.uses(Technique::Regroup)
     }
 
     /// Where something is solved for, and `L^T D L` would not alone need twice as much.

@@ -208,8 +208,28 @@ impl Function {
         self.derivation.formulations()
     }
 
-    /// True where inertias have a say in which plan is cheapest: how frames move does not depend on them.
-    pub(super) fn reads_inertias(&self) -> bool {
+    /// True where the cost of its values may depend on whether a plan uses the technique.
+    pub(super) fn heeds(&self, technique: Technique) -> bool {
+        match technique {
+            Technique::Regroup | Technique::Balance | Technique::SecondMoments => {
+                self.reads_inertias()
+            }
+            Technique::Articulated | Technique::LinkAxes | Technique::Fall => self.solves(),
+            Technique::Carriers => self.mass_matrix == MassMatrixUse::Inverse,
+            Technique::Inward => self.passes_frames(),
+            Technique::Levers => self.passes_frames() || self.has_inertial_columns(),
+            Technique::Weights | Technique::Rates => self.techniques.contains(&technique),
+            Technique::DirectDerivatives | Technique::Reverse | Technique::Lockstep => false,
+            Technique::Slide
+            | Technique::Turn
+            | Technique::Parallel
+            | Technique::Shortcut
+            | Technique::Factor => true,
+        }
+    }
+
+    /// How frames move does not depend on inertias.
+    fn reads_inertias(&self) -> bool {
         match self.derivation {
             Derivation::Notes(_) | Derivation::Columns(_) => false,
             Derivation::EitherWay(_) => true,
@@ -217,15 +237,15 @@ impl Function {
         }
     }
 
-    /// True where a plan may choose how frames are passed: of where they are, and of what moves them.
-    pub(super) fn passes_frames(&self) -> bool {
+    /// True for what depends only on where frames are, and what moves them.
+    fn passes_frames(&self) -> bool {
         let mut arguments = self.arguments.iter();
         self.of != Of::System
             && arguments.all(|argument| matches!(argument, Argument::Q | Argument::Point))
     }
 
     /// True for vectors along inertial axes by speeds, of all bodies together.
-    pub(super) fn has_inertial_columns(&self) -> bool {
+    fn has_inertial_columns(&self) -> bool {
         let mut outputs = self.outputs.iter();
         self.of == Of::System && outputs.any(|output| output.shape == Shape::VECTOR_BY_SPEEDS)
     }

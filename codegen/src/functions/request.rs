@@ -62,25 +62,9 @@ impl Request {
         parts.any(|part| part.subject.is_some())
     }
 
-    /// True where a plan may choose how frames are passed.
-    pub fn passes_frames(&self) -> bool {
-        self.functions().any(Function::passes_frames)
-    }
-
-    /// True where a plan may choose whether to use this technique of few functions.
-    pub fn chooses(&self, technique: Technique) -> bool {
-        self.functions()
-            .any(|function| function.techniques.contains(&technique))
-    }
-
-    /// True where a plan may choose which links' columns go to inertial axes at once.
-    pub fn has_inertial_columns(&self) -> bool {
-        self.functions().any(Function::has_inertial_columns)
-    }
-
-    /// True where a plan may choose how inertias are regrouped.
-    pub fn reads_inertias(&self) -> bool {
-        self.functions().any(Function::reads_inertias)
+    /// True where the cost of its values may depend on whether a plan uses the technique.
+    pub fn heeds(&self, technique: Technique) -> bool {
+        self.functions().any(|function| function.heeds(technique))
     }
 
     /// The function of a compact output.
@@ -225,19 +209,10 @@ impl Request {
         self.functions().any(Function::solves)
     }
 
-    /// True where the inverse of the mass matrix is written.
-    pub fn inverts(&self) -> bool {
-        self.uses(MassMatrixUse::Inverse)
-    }
-
     /// True where the mass matrix is factorised, whichever way it is derived.
     pub fn factorises(&self) -> bool {
-        self.uses(MassMatrixUse::Factors)
-    }
-
-    fn uses(&self, mass_matrix: MassMatrixUse) -> bool {
-        let mut functions = self.functions();
-        functions.any(|function| function.mass_matrix == mass_matrix)
+        self.functions()
+            .any(|function| function.mass_matrix == MassMatrixUse::Factors)
     }
 
     /// True where accelerations of the prescribed speeds are given, and forces of the others.
