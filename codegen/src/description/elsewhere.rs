@@ -1,14 +1,26 @@
 //! What other formats call the keys and joints of ours.
 
 /// Keys of ours, and what they are called elsewhere.
-const KEYS: [(&str, &[&str]); 7] = [
+const KEYS: [(&str, &[&str]); 19] = [
     ("lower_bodies", &["parent", "parents", "parent_bodies"]),
     ("body", &["bodies", "link", "links"]),
     ("mass_center", &["com", "center_of_mass", "ipos"]),
     ("attachment", &["origin", "pos", "xyz"]),
+    ("position", &["origin", "pos", "xyz"]),
     ("joint", &["joint_type", "type", "joints"]),
     ("armature", &["rotor_inertia"]),
     ("rest", &["springref"]),
+    ("friction", &["frictionloss"]),
+    ("xx", &["ixx"]),
+    ("yy", &["iyy"]),
+    ("zz", &["izz"]),
+    ("xy", &["ixy"]),
+    ("xz", &["ixz"]),
+    ("yz", &["iyz"]),
+    ("lower", &["min"]),
+    ("upper", &["max"]),
+    ("velocity", &["max_velocity", "speed"]),
+    ("effort", &["max_effort", "force", "torque"]),
 ];
 
 /// Joints of ours, and what they are called elsewhere.
@@ -21,10 +33,14 @@ const JOINTS: [(&str, &[&str]); 5] = [
 ];
 
 /// Keys that stand elsewhere, and where.
-const PLACES: [(&str, &str); 3] = [
+const PLACES: [(&str, &str); 4] = [
     (
         "gravity",
-        "gravity stands in the model; `kane convert` makes a model in this format of another one",
+        "gravity stands at the top of a model; `kane convert` makes a model in this format of another one",
+    ),
+    (
+        "parent",
+        "`lower_bodies`, at the top of a model, says which body carries which",
     ),
     ("frame", "frames stand in the model, as `[[frame]]`"),
     ("body", "bodies stand in the model, as `[[body]]`"),
@@ -36,18 +52,21 @@ pub(super) fn place(key: &str) -> Option<&'static str> {
     places.find(|(own, _)| *own == key).map(|(_, place)| place)
 }
 
-/// Our key for one of another format.
-pub(super) fn key(name: &str) -> Option<&'static str> {
-    found(&KEYS, name)
+/// Of our keys that are absent, the one that is meant by a key of another format.
+pub(super) fn key(name: &str, absent: &[&str]) -> Option<&'static str> {
+    let keys = KEYS.iter().filter(|(own, _)| absent.contains(own));
+    found(keys, name)
 }
 
 /// Our joint for one of another format.
 pub(super) fn joint(name: &str) -> Option<&'static str> {
-    found(&JOINTS, name)
+    found(JOINTS.iter(), name)
 }
 
-fn found(table: &[(&'static str, &[&str])], name: &str) -> Option<&'static str> {
-    let mut rows = table.iter();
+fn found<'t>(
+    mut rows: impl Iterator<Item = &'t (&'static str, &'static [&'static str])>,
+    name: &str,
+) -> Option<&'static str> {
     let row = rows.find(|(_, names)| names.contains(&name));
     row.map(|(own, _)| *own)
 }

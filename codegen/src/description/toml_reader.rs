@@ -138,6 +138,23 @@ impl Reader {
         Some(table)
     }
 
+    /// The same; `example` is one that would do.
+    pub(crate) fn table_such_as<'t, 's>(
+        &mut self,
+        item: &'t Item<'s>,
+        owner: &str,
+        known: &[&str],
+        example: &str,
+    ) -> Option<Table<'t, 's>> {
+        if item.get_ref().is_table() {
+            return self.table(item, owner, known);
+        }
+        let fault = mistyped(item, owner, "a table");
+        self.faults
+            .push(fault.help(format!("write for example `{example}`")));
+        None
+    }
+
     /// A value that must be a table, with any keys.
     pub(crate) fn any_table<'t, 's>(
         &mut self,
@@ -173,7 +190,7 @@ impl Reader {
                 .copied()
                 .filter(|known| table.get(known).is_none())
                 .collect();
-            let meant = elsewhere::key(key.value).filter(|own| absent.contains(own));
+            let meant = elsewhere::key(key.value, &absent);
             let meant = meant.or_else(|| nearest(key.value, &absent));
             let help = match (meant, elsewhere::place(key.value)) {
                 (Some(known), _) => {
@@ -334,19 +351,22 @@ impl Reader {
     }
 
     pub(crate) fn wrong_type(&mut self, item: &Item<'_>, what: &str, expected: &str) {
-        let found = match item.get_ref() {
-            DeValue::String(_) => "a string",
-            DeValue::Integer(_) => "a whole number",
-            DeValue::Float(_) => "a number",
-            DeValue::Boolean(_) => "a truth value",
-            DeValue::Datetime(_) => "a date",
-            DeValue::Array(_) => "a list",
-            DeValue::Table(_) => "a table",
-        };
-        let fault = Diagnostic::error(format!("{what} is {found}; expected {expected}"));
-        self.faults
-            .push(fault.at(span(item), format!("expected {expected}")));
+        self.faults.push(mistyped(item, what, expected));
     }
+}
+
+fn mistyped(item: &Item<'_>, what: &str, expected: &str) -> Diagnostic {
+    let found = match item.get_ref() {
+        DeValue::String(_) => "a string",
+        DeValue::Integer(_) => "a whole number",
+        DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "a truth value",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    };
+    let fault = Diagnostic::error(format!("{what} is {found}; expected {expected}"));
+    fault.at(span(item), format!("expected {expected}"))
 }
 
 /// True where letters follow a number, as a unit would.

@@ -39,6 +39,22 @@ fn words_of_other_formats_are_known() {
         ("lower_bodies", "parents", "did you mean `lower_bodies`?"),
         ("mass_center", "com", "did you mean `mass_center`?"),
         ("joint = ", "joint_type = ", "did you mean `joint`?"),
+        ("xx = ", "ixx = ", "did you mean `xx`?"),
+        (
+            "joint = ",
+            "parent = \"b\"\njoint = ",
+            "`lower_bodies`, at the top of a model, says which body carries which",
+        ),
+        (
+            "joint = ",
+            "limits = { max = 1.0 }\njoint = ",
+            "did you mean `upper`?",
+        ),
+        (
+            "joint = ",
+            "limits = [-1.0, 1.0]\njoint = ",
+            "write for example `limits = { lower = -1.0, upper = 1.0 }`",
+        ),
     ] {
         let faults = build(&arm.replacen(ours, theirs, 1))
             .unwrap_err()

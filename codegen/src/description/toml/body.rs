@@ -14,6 +14,9 @@ const KEYS: [&str; 6] = [
     "gravity_compensation",
 ];
 
+/// A line that would do.
+const INERTIA: &str = "inertia = { xx = 1.0, yy = 1.0, zz = 1.0, xy = 0.0, xz = 0.0, yz = 0.0 }";
+
 /// Reads a body, the `number`-th of the file.
 pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> WrittenBody {
     let name = item
@@ -37,11 +40,7 @@ pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> Writt
     let mass_center = center.map_or([None; 3], |item| {
         value::vector(reader, item, &table.what("mass_center"))
     });
-    let inertia_item = reader.required(
-        &table,
-        "inertia",
-        "inertia = { xx = 1.0, yy = 1.0, zz = 1.0, xy = 0.0, xz = 0.0, yz = 0.0 }",
-    );
+    let inertia_item = reader.required(&table, "inertia", INERTIA);
     let lifted = table.get("gravity_compensation");
     WrittenBody {
         span: span(item),
@@ -73,7 +72,7 @@ fn nothing(span: Span) -> WrittenBody {
 }
 
 fn inertia(reader: &mut Reader, item: &Item<'_>, what: &str) -> [Given<Scalar>; 6] {
-    let Some(table) = reader.table(item, what, &INERTIA_COMPONENTS) else {
+    let Some(table) = reader.table_such_as(item, what, &INERTIA_COMPONENTS, INERTIA) else {
         return [None; 6];
     };
     INERTIA_COMPONENTS.map(|component| {

@@ -201,7 +201,8 @@ fn locked(reader: &mut Reader, body: &Table<'_, '_>) -> Vec<(Spanned<CoordinateN
 }
 
 fn limits(reader: &mut Reader, item: &Item<'_>, what: &str) -> Optional<Limits> {
-    let table = reader.table(item, what, &LIMIT_KEYS)?;
+    let example = "limits = { lower = -1.0, upper = 1.0 }";
+    let table = reader.table_such_as(item, what, &LIMIT_KEYS, example)?;
     let [lower, upper, velocity, effort] = LIMIT_KEYS.map(|key| {
         let item = table.get(key)?;
         value::constant(reader, item, &table.what(key))
@@ -216,7 +217,8 @@ fn limits(reader: &mut Reader, item: &Item<'_>, what: &str) -> Optional<Limits> 
 }
 
 fn mimic(reader: &mut Reader, item: &Item<'_>, what: &str) -> Optional<Mimic> {
-    let table = reader.table(item, what, &MIMIC_KEYS)?;
+    let example = "mimic = { joint = \"finger_1\" }";
+    let table = reader.table_such_as(item, what, &MIMIC_KEYS, example)?;
     let joint = reader.required(&table, "joint", "joint = \"finger_1\"");
     let joint = joint.and_then(|item| reader.string(item, &table.what("joint")));
     let mut number = |key: &str, absent: f64| {

@@ -1,5 +1,6 @@
 //! Values of our own format: numbers, vectors, rotations, coordinates, and what is given for each coordinate.
 
+use crate::description::elsewhere;
 use crate::description::toml_reader::{Item, Reader, Table, span};
 use crate::description::{CoordinateName, Given, Optional, PerCoordinate, Rotation, Scalar};
 use crate::diagnostic::{Diagnostic, Span, Spanned, backquoted, nearest};
@@ -239,6 +240,7 @@ fn is_by_coordinate(names: &[&str], keys: &[&str]) -> bool {
         return false;
     }
     let names_coordinate = |name: &&str| CoordinateName::named(name).is_some();
-    let is_near_key = |name: &&str| nearest(name, keys).is_some();
+    let is_near_key =
+        |name: &&str| elsewhere::key(name, keys).is_some() || nearest(name, keys).is_some();
     names.iter().any(names_coordinate) || !names.iter().any(is_near_key)
 }

@@ -75,7 +75,7 @@ impl Check<'_> {
                 let message = format!(
                     "`{quantity}` of {name} names `{kind}`, but its joint has an axis of its own"
                 );
-                self.fault(message, coordinate.span, "expected a number alone");
+                self.fault(message, coordinate.span, "expected one value for the joint");
             } else if matches!(
                 self.joint.motions[coordinate.value.index()],
                 Freedom::Locked(_)
