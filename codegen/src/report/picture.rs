@@ -1,7 +1,7 @@
 //! The tree as text.
 
 use crate::{
-    geometry::apply,
+    geometry::{IDENTITY, apply},
     id::BodyId,
     tree::{Body, Coordinate, Joint, Tree},
 };
@@ -64,7 +64,7 @@ fn lines(tree: &Tree, is_narrow: bool) -> String {
     }
 }
 
-/// The one motion of a joint with a name, which its coordinate then has too: what it is called within the joint would say nothing.
+/// The only motion of a joint, along an axis that its body keeps.
 fn single(joint: &Joint) -> Option<usize> {
     let moves = |motion: &usize| match joint.coordinate_of(*motion) {
         Some(Coordinate::Locked(value)) => value != 0.0,
@@ -73,7 +73,7 @@ fn single(joint: &Joint) -> Option<usize> {
     };
     let is_turned = joint.angular_velocity().is_some();
     let mut moving = (0..6).filter(moves);
-    let single = moving.next().filter(|_| joint.is_named && !is_turned);
+    let single = moving.next().filter(|_| !is_turned);
     single.filter(|_| moving.next().is_none())
 }
 
@@ -112,10 +112,12 @@ fn line(tree: &Tree, id: BodyId, coordinates: &[String]) -> String {
     let single = single(joint);
     for (motion, name) in names.into_iter().enumerate() {
         let is_single = single == Some(motion);
-        let axis = if is_single {
-            direction(body, motion)
-        } else {
-            name.to_owned()
+        let is_turned = body.pose.rotation != IDENTITY;
+        let axis = match (is_single, joint.is_named) {
+            // A coordinate is called as its joint: what it is called within would say nothing.
+            (true, true) => direction(body, motion),
+            (true, false) if is_turned => format!("{name} {}", direction(body, motion)),
+            _ => name.to_owned(),
         };
         match joint.coordinate_of(motion) {
             Some(Coordinate::Free { .. }) => free.push(axis),

@@ -82,6 +82,28 @@ fn axes_of_joints_with_names_are_shown_along_those_of_their_bodies() {
 }
 
 #[test]
+fn axes_of_joints_without_names_are_shown_where_they_are_turned() {
+    let project = Project::empty();
+    let turned = model("arm", "2.0").replace(
+        "joint = [\"theta2\"]",
+        "joint = \"revolute\"\naxis = [0.0, 1.0, 1.0]\nlimits = { lower = -1.0, effort = 5.0 }",
+    );
+    project.write("arm.toml", &turned);
+    let ran = project.kane(&["info", "arm.toml"]);
+    assert!(
+        ran.out.contains(": theta3 about (0, 0.707, 0.707)\n"),
+        "{}",
+        ran.out
+    );
+    let ran = project.kane(&["info", "arm.toml", "--json"]);
+    let report: Value = serde_json::from_str(&ran.out).unwrap();
+    let limits = &report["limits"];
+    assert_eq!(limits["lower"][2], -1.0);
+    assert_eq!(limits["upper"][2], Value::Null);
+    assert_eq!(limits["effort"][2], 5.0);
+}
+
+#[test]
 fn partitions_of_the_example_are_drawn() {
     insta::assert_snapshot!(section(&info(&["--partitions"]), "Partitions"));
 }
@@ -151,7 +173,7 @@ fn json_has_the_documented_keys() {
     };
     assert_eq!(
         keys(&report),
-        "bodies coordinates frames functions gravity name order parameters partitions speeds"
+        "bodies coordinates frames functions gravity limits name order parameters partitions speeds"
     );
     assert_eq!(
         keys(&report["bodies"][0]),
@@ -166,6 +188,10 @@ fn json_has_the_documented_keys() {
     assert_eq!(report["coordinates"][47]["name"], "camera_s3");
     assert_eq!(report["coordinates"][47]["place"], 47);
     assert_eq!(report["order"], "notes");
+    assert_eq!(
+        keys(&report["limits"]),
+        "effort friction lower upper velocity"
+    );
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use kane_codegen::{
     functions::Formulation,
     id::BodyId,
+    listing::Limits,
     program::Operations,
     report::{self, Cell, Counts, Partitions},
     tree::{self, Coordinate, Order, Tree},
@@ -31,6 +32,7 @@ pub(super) fn value(tree: &Tree, counts: &[Counts]) -> Value {
         "bodies": bodies,
         "coordinates": coordinates_value(tree),
         "speeds": tree.speed_names(),
+        "limits": limits_value(&Limits::of(tree)),
         "frames": tree.frames.iter().map(frame_value).collect::<Value>(),
         "partitions": is_pictured(tree).then(|| partitions_value(&report::partitions(tree))),
         "parameters": tree.parameters.iter().map(parameter).collect::<Value>(),
@@ -101,6 +103,17 @@ fn coordinates_value(tree: &Tree) -> Value {
         }
     }
     values.into()
+}
+
+/// As the constants of a module have them, by coordinates and by speeds; null where there is none.
+fn limits_value(limits: &Limits) -> Value {
+    json!({
+        "lower": limits.lower,
+        "upper": limits.upper,
+        "velocity": limits.velocity,
+        "effort": limits.effort,
+        "friction": limits.friction,
+    })
 }
 
 fn partitions_value(partitions: &Partitions) -> Value {
