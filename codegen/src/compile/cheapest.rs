@@ -29,6 +29,7 @@ pub(super) fn cheapest_recursion(plans: &Plans<'_>, request: &Request) -> Planne
     cheapest_by(plans, request, false)
 }
 
+/// The cheapest; parts of a joined one may be by the notes where it `may_mix`.
 fn cheapest_by(plans: &Plans<'_>, request: &Request, may_mix: bool) -> Planned {
     let best = one_by_one(plans, request, may_mix);
     if request.has_columns(&best.arrangement) {

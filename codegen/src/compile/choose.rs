@@ -1,8 +1,8 @@
 //! The formulation in which a function is emitted.
 //!
 //! In: a function, a formulation or none. Out: a [`Choice`]. Afterwards: it is the formulation that was asked for, where the
-//! function has it, or the one that costs less; of equals the notes'. If none was asked for, parts of a joined
-//! function may have different ones, which counts as the recursion.
+//! function has it, or the one that costs less; of equals the notes', where these [have a chance](notes::have_a_chance). If none was
+//! asked for, parts of a joined function may have different ones, which counts as the recursion.
 
 use crate::{
     functions::{Derived, Formulation, Request},
@@ -56,7 +56,7 @@ pub fn choose(plans: &Plans<'_>, request: &Request, wanted: options::Formulation
     }
 }
 
-/// The function in this formulation, of which the cheapest is emitted.
+/// The function as it is emitted where this formulation costs least: parts of one that counts as the recursion may be by the notes.
 pub fn of_formulation(plans: &Plans<'_>, request: &Request, formulation: Formulation) -> Choice {
     let planned = match formulation {
         Formulation::Recursive => cheapest(plans, request),

@@ -4,6 +4,7 @@
 
 use crate::{
     functions::{Derived, Formulation, Request},
+    program::Operations,
     recursive::{Plan, Technique},
     tree::Tree,
 };
@@ -17,7 +18,10 @@ use super::{
 /// From how many nodes on the notes' values are long: their derivatives would take more time than all the rest.
 const LONG: usize = 20_000;
 
-/// Notes of fewer terms are always derived: they may cost less than one operation a term, where some are zero.
+/// Up to how many nodes they are short: second derivatives of others would.
+const SHORT: usize = 1_000;
+
+/// Notes of more terms are derived only where the recursion needs more operations than that: of fewer, some may be zero.
 const MANY_TERMS: usize = 1_000;
 
 /// The function by the notes, if it costs no more than by the recursion.
@@ -27,22 +31,30 @@ pub(super) fn instead_of(
     recursive: &Derived,
 ) -> Option<Planned> {
     let operations = operations(recursive);
-    let (count, terms) = (operations.total(), request.literal_terms(plans.tree));
-    // On a large tree the literal sums alone would take longer than all the rest, and so would second derivatives of them.
-    if terms > MANY_TERMS.max(count)
-        || request.is_second_derivative()
-        || request.differentiates() && values_cost_more(plans.tree, request, count)
-    {
-        return None;
-    }
-    at_most(plans, request, cost(request, operations))
+    have_a_chance(plans.tree, request, operations)
+        .then(|| at_most(plans, request, cost(request, operations)))
+        .flatten()
 }
 
-/// True where the notes' values are long, and need more operations alone than this: their derivatives hardly ever need fewer.
-fn values_cost_more(tree: &Tree, request: &Request, count: usize) -> bool {
+/// True where the function is derived by the notes beside the recursion, which needs these operations: on a large tree the literal sums
+/// alone would take longer than all the rest.
+pub(crate) fn have_a_chance(tree: &Tree, request: &Request, recursive: Operations) -> bool {
+    let (count, terms) = (recursive.total(), request.literal_terms(tree));
+    terms <= MANY_TERMS.max(count)
+        && !(request.differentiates() && derivatives_take_long(tree, request, count))
+}
+
+/// True where the notes' derivatives would take long: the second ones of values that are not short, and the first ones of long values
+/// that need more operations alone than the derivatives by the recursion, for these hardly ever cost less.
+fn derivatives_take_long(tree: &Tree, request: &Request, count: usize) -> bool {
     let values = request.values();
     let values = values.derive(tree, Formulation::Notes, &Plan::plain(tree));
-    values.graph.len() > LONG && operations(&values).total() > count
+    let n_nodes = values.graph.len();
+    if request.is_second_derivative() {
+        n_nodes > SHORT
+    } else {
+        n_nodes > LONG && operations(&values).total() > count
+    }
 }
 
 /// The function by the notes; `None` where it costs more than `most`.

@@ -60,15 +60,33 @@ fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
             (formulation, compile::operations(&choice.derived))
         })
         .collect();
-    // The first of equals, as `compile::choose` takes it.
-    let cheapest = formulations
-        .iter()
-        .min_by_key(|(_, operations)| compile::cost(function, *operations))
-        .map(|(formulation, _)| *formulation);
+    let cheapest = cheapest(plans.tree, function, &formulations);
     Counts {
         function: function.clone(),
         formulations,
         cheapest,
         refused,
     }
+}
+
+/// The formulation that [`compile::choose`] takes: of equals the first.
+fn cheapest(
+    tree: &Tree,
+    function: &Request,
+    formulations: &[(Formulation, Operations)],
+) -> Option<Formulation> {
+    let of = |wanted| {
+        let mut formulations = formulations.iter();
+        formulations.find(|(formulation, _)| *formulation == wanted)
+    };
+    let recursive = of(Formulation::Recursive);
+    let has_chance = |(_, operations): &&(Formulation, Operations)| {
+        compile::notes_have_a_chance(tree, function, *operations)
+    };
+    if let Some((recursive, _)) = recursive.filter(|one| !has_chance(one)) {
+        return Some(*recursive);
+    }
+    let cost = |(_, operations): &&(Formulation, Operations)| compile::cost(function, *operations);
+    let cheapest = formulations.iter().min_by_key(cost);
+    cheapest.map(|(formulation, _)| *formulation)
 }

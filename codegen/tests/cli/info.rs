@@ -264,18 +264,35 @@ fn what_is_too_large_is_said_where_it_has_no_count() {
 }
 
 #[test]
-fn cheapest_formulation_is_marked() {
-    let text = info(&[]);
-    let line = text
-        .lines()
-        .find(|line| line.starts_with("  mass_matrix "))
-        .unwrap();
-    let words: Vec<&str> = line.split_whitespace().collect();
-    let ["mass_matrix", notes, recursive] = words[..] else {
-        panic!("{line}")
-    };
-    let recursive = recursive.strip_suffix('*').unwrap();
-    assert!(recursive.parse::<usize>().unwrap() < notes.parse::<usize>().unwrap());
+fn the_formulation_that_is_emitted_is_marked() {
+    let project = Project::empty();
+    for (model, function) in [
+        ("models/eight_body.toml", "mass_matrix"),
+        ("models/cart_pole.toml", "bias"),
+        ("models/cart_pole.toml", "hessian(linear_momentum; q)"),
+        ("models/cart_pole.toml", "hessian(angular_momentum; q)"),
+        ("models/arm.urdf", "hessian(angular_momentum; q, u)"),
+        (
+            "models/arm.urdf",
+            "kinetic_energy+centroidal_momentum_matrix",
+        ),
+    ] {
+        let path = repository(model);
+        let path = path.to_str().unwrap();
+        let ran = project.kane(&["info", path, "--json", "--functions", function]);
+        let report: Value = serde_json::from_str(&ran.out).unwrap();
+        let count = &report["functions"][0];
+        let formulation = count["cheapest"].as_str().unwrap();
+        let total = &count["formulations"][formulation]["total"];
+        let arguments = ["generate", path, "--output", "-", "--functions", function];
+        let source = project.kane(&arguments).out;
+        let mut lines = source.lines();
+        let line = lines.find(|line| {
+            line.contains(&format!("Operations: {total} = "))
+                && line.ends_with(&format!("; formulation: {formulation}."))
+        });
+        assert!(line.is_some(), "{model}, {function}: {count}");
+    }
 }
 
 #[test]
