@@ -36,6 +36,18 @@ fn body_called_as_a_table_has_another_name() {
 }
 
 #[test]
+fn body_called_as_the_rest_of_a_table_has_another_name() {
+    let header = header(|facts| {
+        // The speeds that move the frame of a body that is called `body`.
+        facts.sizes.0[0].name = "BODY_SPEEDS".to_owned();
+        "speeds".clone_into(&mut facts.bodies[0].identifier);
+        "speeds_".clone_into(&mut facts.bodies[1].identifier);
+    });
+    assert!(header.contains("TWO_BODY_SPEEDS_ = 0"), "{header}");
+    assert!(header.contains("TWO_BODY_SPEEDS__ = 1"), "{header}");
+}
+
+#[test]
 fn numbers_without_bound_are_huge() {
     let header = header(|facts| facts.limits.lower = vec![f64::NEG_INFINITY, 0.1]);
     let start = header.find("LOWER_LIMITS[").expect("the table of limits");

@@ -10,6 +10,7 @@ use super::{
 use crate::{
     functions::{Access, Declared, Element, Length, Signature},
     listing::{Facts, Module, Size, nominal},
+    taken::Taken,
     words::C_STRUCTURES,
 };
 
@@ -122,19 +123,26 @@ impl Header<'_> {
         }
         // An empty enumeration is none in C.
         lists.retain(|(_, _, names)| !names.is_empty());
+        let mut taken = self.constants();
         let lists = lists.into_iter().map(|(kind, doc, names)| {
             let names = names.iter().enumerate();
             let names: Vec<String> = names
                 .map(|(place, name)| {
-                    let (prefix, name) = (&self.prefix, name.to_uppercase());
-                    // The names themselves are a table that is called so.
-                    let mark = if name == "NAMES" { "_" } else { "" };
-                    format!("    {prefix}{kind}_{name}{mark} = {place}")
+                    let name = taken.take(format!("{kind}_{}", name.to_uppercase()));
+                    format!("    {}{name} = {place}", self.prefix)
                 })
                 .collect();
             format!("/// {doc}\nenum {{\n{}\n}};\n", names.join(",\n"))
         });
         lists.collect()
+    }
+
+    /// The names of sizes and tables.
+    fn constants(&self) -> Taken {
+        let tables = self.facts.all_constants();
+        let sizes = self.facts.sizes.0.iter().map(|size| size.name.as_str());
+        let tables = tables.iter().map(|constant| constant.name);
+        sizes.chain(tables).collect()
     }
 
     /// What stands in one piece in memory: parameters, what is prepared from them, sines and cosines.
