@@ -3,7 +3,7 @@
 use std::{error, fmt, path::PathBuf};
 
 use crate::{
-    diagnostic::Diagnostics,
+    diagnostic::{Diagnostics, Escaped},
     functions::RequestError,
     options::{SNAP_TOLERANCES, companion::EXPECTED_NAME},
     tree::PrescribedFault,
@@ -47,7 +47,7 @@ pub enum Error {
     /// A name of a module that files beside it cannot use.
     #[error(
         "the module is called `{}`; the files beside it contain that name: {EXPECTED_NAME}",
-        name.escape_debug()
+        name.escaped()
     )]
     ModuleName {
         /// The name.
@@ -66,7 +66,7 @@ pub enum Error {
         path: PathBuf,
     },
     /// A name that a build script gives a module and no file can have.
-    #[error("the module is called `{}`; expected a file name, without a folder and without `.rs`: `Build::name` gives it another", name.escape_debug())]
+    #[error("the module is called `{}`; expected a file name, without a folder and without `.rs`: `Build::name` gives it another", name.escaped())]
     FileName {
         /// The name.
         name: String,

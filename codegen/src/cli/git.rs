@@ -7,7 +7,7 @@ use std::{
     process::{Command, Output, Stdio},
 };
 
-use kane_codegen::{config::clean_path, error::Error, input};
+use kane_codegen::{config::clean_path, diagnostic::Escaped, error::Error, input};
 
 use crate::cli::{Failures, paths};
 
@@ -47,7 +47,7 @@ impl Revision {
         let path = paths::with_slashes(&path).filter(|_| is_below);
         let path = path.ok_or_else(|| {
             let file = file.to_string_lossy();
-            Failures::message(format!("git knows no file `{}`", file.escape_debug()))
+            Failures::message(format!("git knows no file `{}`", file.escaped()))
         })?;
         Ok(Self {
             name: name.to_owned(),
@@ -90,7 +90,7 @@ impl Revision {
             let told = String::from_utf8_lossy(&output.stderr);
             return Err(Failures::message(format!(
                 "git has no file `{}`: {}",
-                object.escape_debug(),
+                object.escaped(),
                 told.trim()
             )));
         }
@@ -171,6 +171,6 @@ fn command(arguments: &[&str]) -> Command {
 fn is_missing(object: &str, error: &io::Error) -> Failures {
     Failures::message(format!(
         "`{}` is no file here, and git, which would know a revision, cannot be run: {error}",
-        object.escape_debug()
+        object.escaped()
     ))
 }

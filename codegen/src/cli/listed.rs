@@ -11,7 +11,7 @@ use std::{
 
 use kane_codegen::{
     config::{self, Config, System, clean_path},
-    diagnostic::Source,
+    diagnostic::{Escaped, Source},
 };
 
 use crate::cli::{
@@ -185,7 +185,7 @@ pub(crate) fn shown_model(model: &Path, listed: Option<&Listed>) -> Result<Strin
 
 fn cannot_be_shown(model: &Path) -> Failures {
     let text = model.to_string_lossy();
-    let text = text.escape_debug();
+    let text = text.escaped();
     Failures::message(format!(
         "`{text}` cannot stand in a generated file: expected the path of a file, in printable characters"
     ))

@@ -3,7 +3,7 @@
 use crate::{
     budget::{Budget, OperationKind},
     description::toml_reader::{Item, Reader, Table, span},
-    diagnostic::{Diagnostic, Spanned},
+    diagnostic::{Diagnostic, Escaped, Spanned},
     functions::Parsed,
     options::Functions,
 };
@@ -61,7 +61,7 @@ fn generated(
     }
     let fault = format!(
         "{what} limits `{}`, which is not among the functions",
-        name.value.escape_debug()
+        name.value.escaped()
     );
     let fault = Diagnostic::error(fault).at(name.span, "not generated");
     let mut alike = requests.iter().filter(|one| one.sum() == request.sum());
@@ -80,7 +80,7 @@ fn limits(
     what: &str,
     function: &str,
 ) -> Vec<Budget> {
-    let what = format!("`{}` of {what}", name.value.escape_debug());
+    let what = format!("`{}` of {what}", name.value.escaped());
     let limit = |reader: &mut Reader, item: &Item<'_>, what: &str, kind: OperationKind| {
         let limit = reader.integer(item, what)?;
         let number = usize::try_from(limit.value).ok();

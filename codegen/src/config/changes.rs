@@ -5,7 +5,7 @@ use crate::{
         Base, Chart, Reading,
         toml_reader::{Reader, Table, span},
     },
-    diagnostic::{Diagnostic, Spanned},
+    diagnostic::{Diagnostic, Escaped, Spanned},
     options::SNAP_TOLERANCES,
     tree::Changes,
 };
@@ -110,7 +110,7 @@ fn lock(reader: &mut Reader, system: &Table<'_, '_>) -> Vec<(Spanned<String>, f6
     let table = table.and_then(|item| reader.any_table(item, &what));
     let entries = table.iter().flat_map(Table::entries);
     let locked = entries.filter_map(|(name, item)| {
-        let what = format!("`{}` of {what}", name.value.escape_debug());
+        let what = format!("`{}` of {what}", name.value.escaped());
         let value = reader.number(item, &what)?;
         Some((Spanned::new(name.value.to_owned(), name.span), value.value))
     });
@@ -136,7 +136,7 @@ pub(super) fn names(
             continue;
         };
         if let Some(first) = names.iter().find(|first| first.value == name.value) {
-            let fault = format!("{what} names `{}` twice", name.value.escape_debug());
+            let fault = format!("{what} names `{}` twice", name.value.escaped());
             reader.faults.push(
                 Diagnostic::error(fault)
                     .at(name.span, "the second one")

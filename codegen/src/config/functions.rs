@@ -2,7 +2,7 @@
 
 use crate::{
     description::toml_reader::{Reader, Table, span},
-    diagnostic::{Diagnostic, Spanned},
+    diagnostic::{Diagnostic, Escaped, Spanned},
     functions::{Parsed, RequestError, advice},
     options::{ALL, Functions, is_in_all, is_set},
 };
@@ -128,11 +128,11 @@ fn request_fault(name: &Spanned<String>, what: &str, fault: &RequestError) -> Di
     let whole = if *part == name.value {
         String::new()
     } else {
-        format!(" in `{}`", name.value.escape_debug())
+        format!(" in `{}`", name.value.escaped())
     };
     let fault = Diagnostic::error(format!(
         "{what} names `{}`{whole}, which is no function",
-        part.escape_debug()
+        part.escaped()
     ));
     let fault = fault.at(name.span, "unknown function");
     fault.help(advice(part))

@@ -6,7 +6,9 @@ use ::toml::Spanned as TomlSpanned;
 use ::toml::de::{DeTable, DeValue};
 
 use crate::description::{elsewhere, too_many};
-use crate::diagnostic::{Diagnostic, Faults, Severity, Source, Span, Spanned, backquoted, nearest};
+use crate::diagnostic::{
+    Diagnostic, Escaped, Faults, Severity, Source, Span, Spanned, backquoted, nearest,
+};
 use crate::limits::TOLD;
 
 /// A TOML value with its place.
@@ -81,7 +83,7 @@ impl Reader {
             let span = Span::from(error.span().unwrap_or(end..end));
             if is_repeated(error) {
                 let key = source.text().get(span.start..span.end).unwrap_or_default();
-                let message = format!("the key `{}` is given twice", key.escape_debug());
+                let message = format!("the key `{}` is given twice", key.escaped());
                 self.faults
                     .push(Diagnostic::error(message).at(span, "the second one"));
                 continue;
@@ -184,7 +186,7 @@ impl Reader {
             } else {
                 format!(" of {}", table.owner)
             };
-            let message = format!("unknown key `{}`{of}", key.value.escape_debug());
+            let message = format!("unknown key `{}`{of}", key.value.escaped());
             let absent: Vec<&str> = known
                 .iter()
                 .copied()
@@ -259,7 +261,7 @@ impl Reader {
                 Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
                 _ => names.concat(),
             };
-            let found = text.value.escape_debug();
+            let found = text.value.escaped();
             let fault = Diagnostic::error(format!("{what} is `{found}`; expected {expected}"));
             self.faults.push(fault.at(text.span, label));
         }

@@ -17,5 +17,5 @@ pub use brief::Brief;
 pub use fault::{Diagnostic, Entry, Kind, Severity};
 pub use list::{Diagnostics, Faults};
 pub use source::{Source, SourceFile, Span, Spanned};
+pub use words::{Escaped, count, first_few, nearest, printable};
 pub(crate) use words::{backquoted, is_unprintable, shown, shown_name};
-pub use words::{count, first_few, nearest, printable};

@@ -88,21 +88,36 @@ pub(crate) fn backquoted(names: &[&str]) -> String {
     names.join(", ")
 }
 
+/// Text of users, in messages.
+pub trait Escaped {
+    /// What could not be read, or would steer a terminal, is escaped; quotes are not.
+    fn escaped(&self) -> String;
+}
+
+impl Escaped for str {
+    fn escaped(&self) -> String {
+        let escaped = self.escape_debug().to_string();
+        // Every quote has a `\` of its own before it.
+        escaped.replace("\\'", "'").replace("\\\"", "\"")
+    }
+}
+
 /// Characters of a value shown in a message.
 const MOST_SHOWN: usize = 40;
 
 /// Text for a message: escaped, and cut where it is long.
 pub(crate) fn shown(text: &str) -> String {
-    match text.char_indices().nth(MOST_SHOWN) {
-        Some((end, _)) => format!("{}...", text[..end].escape_debug()),
-        None => text.escape_debug().to_string(),
-    }
+    cut(text, MOST_SHOWN)
 }
 
 /// A name for a message: escaped, and cut where no name may be as long.
 pub(crate) fn shown_name(text: &str) -> String {
-    match text.char_indices().nth(NAME_CHARACTERS) {
-        Some((end, _)) => format!("{}...", text[..end].escape_debug()),
-        None => text.escape_debug().to_string(),
+    cut(text, NAME_CHARACTERS)
+}
+
+fn cut(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{}...", text[..end].escaped()),
+        None => text.escaped(),
     }
 }

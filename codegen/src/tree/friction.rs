@@ -1,6 +1,6 @@
 //! Friction of a tree, which is data.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Escaped};
 use crate::tree::joint::Joint;
 use crate::tree::system::Tree;
 
@@ -16,7 +16,7 @@ pub(crate) fn note(tree: &Tree, findings: &mut Vec<Diagnostic>) {
     }
     let quoted: Vec<String> = rubbing
         .iter()
-        .map(|name| format!("`{}`", name.escape_debug()))
+        .map(|name| format!("`{}`", name.escaped()))
         .collect();
     let note = format!(
         "the friction of {} is in no equation of motion; the constant `FRICTION` holds it, for your program to add",

@@ -7,7 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::{CoordinateName, Description};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Escaped};
 use crate::tree::assembly::{Settled, assemble};
 use crate::tree::joints::{self, ResolvedJoint};
 use crate::tree::mobility;
@@ -97,7 +97,7 @@ fn name(
     motions: &[usize],
 ) -> String {
     if let Some(name) = joint_name(description, body).filter(|_| joint.leading.is_some()) {
-        return format!("`{}`", name.escape_debug());
+        return format!("`{}`", name.escaped());
     }
     let names = motions.iter();
     let names = names.map(|motion| format!("`{}`", CoordinateName::NAMES[*motion]));

@@ -3,6 +3,7 @@
 //! In: the tree of a description, and names of joints or of their bodies. Out: the tree with the speeds of these joints
 //! [prescribed](Tree::prescribed). Does not: change anything else of it.
 
+use crate::diagnostic::Escaped;
 use std::collections::BTreeMap;
 
 use crate::description::{Description, WrittenBody};
@@ -13,7 +14,7 @@ use crate::tree::system::Tree;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PrescribedFault {
     /// There is no such joint.
-    #[error("`{}` is no joint of the model", name.escape_debug())]
+    #[error("`{}` is no joint of the model", name.escaped())]
     Unknown {
         /// The name.
         name: String,
@@ -29,7 +30,7 @@ pub enum PrescribedFault {
         first: String,
     },
     /// No coordinate of the joint is free.
-    #[error("the joint `{}` has no speed: {why}", name.escape_debug())]
+    #[error("the joint `{}` has no speed: {why}", name.escaped())]
     Held {
         /// The name.
         name: String,
@@ -39,8 +40,8 @@ pub enum PrescribedFault {
     /// The joint follows another one.
     #[error(
         "the joint `{}` has no speed of its own: it follows `{}`",
-        name.escape_debug(),
-        leader.escape_debug()
+        name.escaped(),
+        leader.escaped()
     )]
     Follows {
         /// The name.
@@ -51,7 +52,7 @@ pub enum PrescribedFault {
 }
 
 fn twice(first: &str, name: &str) -> String {
-    let (shown, name_shown) = (first.escape_debug(), name.escape_debug());
+    let (shown, name_shown) = (first.escaped(), name.escaped());
     if first == name {
         format!("`{shown}` is named twice")
     } else {
@@ -92,7 +93,7 @@ impl PrescribedFault {
             Self::Twice { .. } => "leave one of the two out".to_owned(),
             Self::Held { .. } => "leave it out: its acceleration is zero".to_owned(),
             Self::Follows { leader, .. } => {
-                format!("prescribe `{}`, which moves both", leader.escape_debug())
+                format!("prescribe `{}`, which moves both", leader.escaped())
             }
         }
     }

@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use crate::description::{Description, Limits, PerCoordinate, WrittenBody};
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Escaped, Span};
 use crate::tree::names::shown;
 
 /// Limits up to two turns, rad, are not looked at.
@@ -105,7 +105,7 @@ fn is_round(limit: f64) -> bool {
 /// The joint by its own name, or by its body's.
 fn joint(description: &Description, body: &WrittenBody, place: usize) -> String {
     match &body.joint.name {
-        Some(name) => format!("joint `{}`", name.value.escape_debug()),
+        Some(name) => format!("joint `{}`", name.value.escaped()),
         None => shown(description, place),
     }
 }

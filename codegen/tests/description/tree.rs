@@ -356,6 +356,24 @@ fn changed_names_and_numbers_are_notes() {
 }
 
 #[test]
+fn frames_that_are_identifiers_keep_their_names_wherever_they_stand() {
+    let frame = |name: &str| format!("\n[[frame]]\nname = \"{name}\"\nbody = \"arm\"\n");
+    let frames = ["grip-L", "o'brien", "grip_l"].map(frame).concat();
+    let text = system("[0]", &[("arm", "[\"theta1\"]")]) + &frames;
+    let built = build(&text).unwrap();
+    let identifiers = built.tree.markers.iter();
+    let identifiers: Vec<&str> = identifiers.map(|one| one.identifier.as_str()).collect();
+    assert_eq!(identifiers, ["grip_l_2", "o_brien", "grip_l"]);
+    let notes = built.warnings.to_string();
+    for note in [
+        "frame `grip-L` is called `grip_l_2`",
+        "frame `o'brien` is called `o_brien`",
+    ] {
+        assert!(notes.contains(note), "{notes}");
+    }
+}
+
+#[test]
 fn thousands_of_bodies_are_numbered() {
     let n_bodies = 3000;
     let names: Vec<String> = (0..n_bodies).map(|body| format!("b{body}")).collect();

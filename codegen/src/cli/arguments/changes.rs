@@ -6,6 +6,7 @@ use clap::Args;
 use kane_codegen::{
     config::{Changed, Prescribed},
     description::{Base, Chart, Reading},
+    diagnostic::Escaped,
     options::Options,
     tree::Changes,
 };
@@ -125,7 +126,7 @@ impl ChangesArguments {
         ] {
             for (index, name) in names.iter().enumerate() {
                 if names[..index].contains(name) {
-                    let name = name.escape_debug();
+                    let name = name.escaped();
                     failures.add(Failures::message(format!("{option} names `{name}` twice")));
                 }
             }

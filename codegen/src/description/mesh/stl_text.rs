@@ -2,6 +2,7 @@
 
 use crate::description::mesh::fault::Fault;
 use crate::description::mesh::surface::Point;
+use crate::diagnostic::Escaped;
 
 /// The corners of all triangles.
 pub(super) fn corners(bytes: &[u8]) -> Result<Vec<Point>, Fault> {
@@ -41,10 +42,7 @@ pub(super) fn corners(bytes: &[u8]) -> Result<Vec<Point>, Fault> {
             }
             _ => {
                 let word: String = word.chars().take(20).collect();
-                let found = format!(
-                    "has `{}` in line {at}, which no STL has",
-                    word.escape_debug()
-                );
+                let found = format!("has `{}` in line {at}, which no STL has", word.escaped());
                 return Err(Fault::new(found));
             }
         }

@@ -3,7 +3,7 @@
 use crate::description::toml::value;
 use crate::description::toml_reader::{Item, Reader, Table, span};
 use crate::description::{Carrier, FrameRotation, Given, WrittenFrame};
-use crate::diagnostic::Spanned;
+use crate::diagnostic::{Escaped, Spanned};
 
 const KEYS: [&str; 4] = ["name", "body", "position", "rotation"];
 
@@ -12,7 +12,7 @@ pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> Writt
     let name = item.get_ref().as_table();
     let name = name.and_then(|table| table.get("name"));
     let owner = match name.and_then(|name| name.get_ref().as_str()) {
-        Some(name) if !name.is_empty() => format!("frame `{}`", name.escape_debug()),
+        Some(name) if !name.is_empty() => format!("frame `{}`", name.escaped()),
         _ => format!("frame {number}"),
     };
     let nothing = WrittenFrame::new(span(item), None);

@@ -7,7 +7,7 @@ use crate::description::{
     Chart, CoordinateName, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar,
     Speeds, WrittenJoint,
 };
-use crate::diagnostic::{Diagnostic, Spanned, backquoted, nearest};
+use crate::diagnostic::{Diagnostic, Escaped, Spanned, backquoted, nearest};
 
 /// The keys of a body that are about its joint.
 pub(super) const KEYS: [&str; 17] = [
@@ -117,10 +117,7 @@ fn kind(reader: &mut Reader, item: &Item<'_>, what: &str) -> Given<JointKind> {
 fn named_kind(reader: &mut Reader, item: &Item<'_>, text: &str, what: &str) -> Given<JointKind> {
     let found = JointKind::NAMED.into_iter().find(|(name, _)| *name == text);
     if found.is_none() {
-        let fault = Diagnostic::error(format!(
-            "{what} is `{}`, which is no joint",
-            text.escape_debug()
-        ));
+        let fault = Diagnostic::error(format!("{what} is `{}`, which is no joint", text.escaped()));
         let names = JointKind::NAMED.map(|(name, _)| name);
         let help = match elsewhere::joint(text).or_else(|| nearest(text, &names)) {
             _ if CoordinateName::NAMES.contains(&text) => {

@@ -3,7 +3,7 @@
 use crate::description::elsewhere;
 use crate::description::toml_reader::{Item, Reader, Table, span};
 use crate::description::{CoordinateName, Given, Optional, PerCoordinate, Rotation, Scalar};
-use crate::diagnostic::{Diagnostic, Span, Spanned, backquoted, nearest};
+use crate::diagnostic::{Diagnostic, Escaped, Span, Spanned, backquoted, nearest};
 
 /// How far the rows of a rotation matrix may be from unit length and from right angles.
 const ORTHONORMAL: f64 = 1e-6;
@@ -174,7 +174,7 @@ pub(super) fn coordinate(
     if coordinate.is_none() {
         let fault = Diagnostic::error(format!(
             "{what} names `{}`, which is no coordinate",
-            name.escape_debug()
+            name.escaped()
         ));
         let names = backquoted(&CoordinateName::NAMES);
         let help = match nearest(name, &CoordinateName::NAMES) {

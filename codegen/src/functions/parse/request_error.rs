@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::syntax::Unexpected;
 use crate::{
-    diagnostic::nearest,
+    diagnostic::{Escaped, nearest},
     functions::names::dictionary::{advice, advice_on_frame, advice_on_variable},
 };
 
@@ -13,13 +13,13 @@ use crate::{
 #[non_exhaustive]
 pub enum RequestError {
     /// A name that the catalogue does not hold.
-    #[error("`{}` is no function; {}", name.escape_debug(), advice(name))]
+    #[error("`{}` is no function; {}", name.escaped(), advice(name))]
     Unknown {
         /// The name.
         name: String,
     },
     /// A name that no function can be given.
-    #[error("`{}` cannot be the name of a function: {why}", name.escape_debug())]
+    #[error("`{}` cannot be the name of a function: {why}", name.escaped())]
     Name {
         /// The name.
         name: String,
@@ -55,7 +55,7 @@ pub enum RequestError {
         name: String,
     },
     /// What is no request at all.
-    #[error("`{}` is no request: {expected}", request.escape_debug())]
+    #[error("`{}` is no request: {expected}", request.escaped())]
     Syntax {
         /// What was asked for.
         request: String,
@@ -94,7 +94,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// What stands behind the frame is not understood.
-    #[error("`{}` behind the frame of `{name}`: {expected}", found.escape_debug())]
+    #[error("`{}` behind the frame of `{name}`: {expected}", found.escaped())]
     View {
         /// The function.
         name: String,
@@ -106,7 +106,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// A frame that the model lacks.
-    #[error("`{}` is no frame of the model; {}", name.escape_debug(), frames(name, jointed.as_deref(), known))]
+    #[error("`{}` is no frame of the model; {}", name.escaped(), frames(name, jointed.as_deref(), known))]
     UnknownFrame {
         /// What was asked for.
         request: String,
@@ -120,7 +120,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// What cannot be differentiated.
-    #[error("`{}` {why}, and cannot be differentiated", part.escape_debug())]
+    #[error("`{}` {why}, and cannot be differentiated", part.escaped())]
     NoDerivative {
         /// The part of the request.
         part: String,
@@ -145,7 +145,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// What is no variable.
-    #[error("`{}` is no variable of `{function}`; {} be differentiated by {}", name.escape_debug(), variables(function, name, known), names(known))]
+    #[error("`{}` is no variable of `{function}`; {} be differentiated by {}", name.escaped(), variables(function, name, known), names(known))]
     UnknownVariable {
         /// What was asked for.
         request: String,
@@ -159,7 +159,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// One value set at run time as a direction, which only all are.
-    #[error("`{}` alone is no direction; expected `parameters`, of which it is one", name.escape_debug())]
+    #[error("`{}` alone is no direction; expected `parameters`, of which it is one", name.escaped())]
     OneOfDirection {
         /// What was asked for.
         request: String,
@@ -222,10 +222,7 @@ const FEW_FRAMES: usize = 8;
 /// What there is instead of a frame.
 fn frames(name: &str, jointed: Option<&str>, known: &[String]) -> String {
     if let Some(body) = jointed {
-        return format!(
-            "it is the joint of body `{}`; ask for that",
-            body.escape_debug()
-        );
+        return format!("it is the joint of body `{}`; ask for that", body.escaped());
     }
     if let Some(advice) = advice_on_frame(name) {
         return advice;
@@ -243,7 +240,7 @@ fn frames(name: &str, jointed: Option<&str>, known: &[String]) -> String {
     }
     let all: Vec<&str> = known.iter().map(String::as_str).collect();
     if let Some(near) = nearest(name, &all) {
-        return format!("did you mean `{}`?", near.escape_debug());
+        return format!("did you mean `{}`?", near.escaped());
     }
     let some: Vec<String> = with_a_word_of(name, known).cloned().collect();
     let some = if some.is_empty() { known } else { &some[..] };
@@ -280,9 +277,7 @@ fn variables(function: &str, name: &str, known: &[String]) -> String {
 /// The first of them.
 fn names(known: &[String]) -> String {
     let names = known.iter().take(MOST_LISTED);
-    let names: Vec<String> = names
-        .map(|name| format!("`{}`", name.escape_debug()))
-        .collect();
+    let names: Vec<String> = names.map(|name| format!("`{}`", name.escaped())).collect();
     if names.is_empty() {
         "nothing".to_owned()
     } else {

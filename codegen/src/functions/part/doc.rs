@@ -1,5 +1,6 @@
 //! What the documentation of a generated function says of a part.
 
+use crate::diagnostic::Escaped;
 use std::collections::BTreeMap;
 
 use super::Part;
@@ -64,7 +65,7 @@ impl Part {
     fn words(&self, subject: &Subject) -> [(&'static str, String); 7] {
         let names = subject.frames.iter();
         let names: Vec<String> = names
-            .map(|frame| format!("`{}`", frame.name.escape_debug()))
+            .map(|frame| format!("`{}`", frame.name.escaped()))
             .collect();
         let (frames, from) = match (subject.view, &names[..]) {
             (View::Other, [frame, other]) => (frame.clone(), other.as_str()),

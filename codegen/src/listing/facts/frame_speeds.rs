@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::{compile::Emittable, functions::Part, id::SpeedId, tree::Tree};
+use crate::{compile::Emittable, diagnostic::Escaped, functions::Part, id::SpeedId, tree::Tree};
 
 /// The speeds that move a frame as it is seen: all other columns of its Jacobian are zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,7 +30,7 @@ impl FrameSpeeds {
             let frames: Vec<String> = subject
                 .frames
                 .iter()
-                .map(|frame| format!("`{}`", frame.name.escape_debug()))
+                .map(|frame| format!("`{}`", frame.name.escaped()))
                 .collect();
             let speeds = subject.speeds(tree).into_iter();
             Some(Self {

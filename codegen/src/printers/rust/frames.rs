@@ -8,6 +8,7 @@ use syn::{Item, parse_quote};
 
 use super::text::{allow_unused, doc, ident};
 use crate::{
+    diagnostic::Escaped,
     functions::{Subject, SubjectFrame, View},
     listing::Module,
 };
@@ -26,7 +27,7 @@ pub(super) fn types(module: &Module) -> Option<Item> {
     }
     let types = frames.into_iter().map(|(identifier, name)| {
         let (doc, allow) = (
-            doc([format!("The frame `{}`.", name.escape_debug())]),
+            doc([format!("The frame `{}`.", name.escaped())]),
             allow_unused(),
         );
         let name = ident(&type_name(identifier));

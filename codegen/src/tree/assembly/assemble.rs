@@ -27,7 +27,13 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
     let names = written_names(settled)?;
     let identifiers = names::identifiers(&names, findings);
     let merged = merge(settled.outward, settled.joints);
-    let markers = markers(description, settled.outward, &merged.hosts, &identifiers)?;
+    let markers = markers(
+        description,
+        settled.outward,
+        &merged.hosts,
+        &identifiers,
+        findings,
+    )?;
     let values = values_of(settled, (&identifiers, &markers), &merged, findings)?;
     let moving = places_of_moving(settled, &merged);
     let numbered = number(settled.joints, &moving, order);

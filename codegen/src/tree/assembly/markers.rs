@@ -1,6 +1,7 @@
 //! Frames that only mark places: in which body each is, and where there.
 
 use crate::description::{Carrier, Description, WrittenFrame};
+use crate::diagnostic::Diagnostic;
 use crate::geometry;
 use crate::id::BodyId;
 use crate::tree::assembly::placing::Placed;
@@ -30,16 +31,17 @@ pub(super) fn markers(
     outward: &Outward,
     hosts: &[Option<BodyId>],
     bodies: &[String],
+    findings: &mut Vec<Diagnostic>,
 ) -> Option<Vec<Marker>> {
     let frames = description.frames.iter();
     let written = frames.clone().map(|frame| frame.name.as_ref());
     let written: Vec<_> = written.collect::<Option<_>>()?;
-    let written = written.iter().map(|name| name.value.as_str());
-    let identifiers = names::frame_identifiers(written.clone(), bodies);
+    let identifiers = names::frame_identifiers(&written, bodies, findings);
     let names = written
+        .iter()
         .zip(identifiers)
         .map(|(name, identifier)| FrameName {
-            name: name.to_owned(),
+            name: name.value.clone(),
             identifier,
         });
     let marker = |(frame, name): (&WrittenFrame, FrameName)| {

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::{Chart, CoordinateName, Description, Speeds};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Escaped};
 use crate::tree::changes::Changes;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 use crate::tree::names::{self, joint_name, joint_named, shown};
@@ -200,7 +200,7 @@ fn meant(
         let known: Vec<&str> = free.iter().map(|known| known.name.as_str()).collect();
         let fault = format!(
             "`lock` names `{}`; no free coordinate is called so",
-            name.escape_debug()
+            name.escaped()
         );
         let fault = Diagnostic::error(fault).of_entry(Changes::LOCK, name);
         return Err(match joint_named(description, name) {
@@ -226,7 +226,7 @@ fn meant(
         Some(other) => {
             let fault = format!(
                 "what `{}` locks is not clear: a coordinate of {}, or one of {}",
-                name.escape_debug(),
+                name.escaped(),
                 shown(description, motion.0),
                 shown(description, other.motion.0)
             );
@@ -246,10 +246,7 @@ fn removed(
         let bodies = 0..description.bodies.len();
         let known = bodies.filter_map(|body| joint_name(description, body));
         let known: Vec<&str> = known.collect();
-        let fault = format!(
-            "`remove` names `{}`; no joint is called so",
-            name.escape_debug()
-        );
+        let fault = format!("`remove` names `{}`; no joint is called so", name.escaped());
         findings.push(with_known(
             Diagnostic::error(fault).of_entry(Changes::REMOVE, name),
             name,

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::description::{Description, Mimic};
-use crate::diagnostic::{Diagnostic, nearest};
+use crate::diagnostic::{Diagnostic, Escaped, nearest};
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 use crate::tree::names::{by_joints, joint_name, shown};
 
@@ -221,7 +221,7 @@ fn link(
     let Some(&leader) = names.places.get(joint.value.as_str()) else {
         let fault = format!(
             "the joint of {name} mimics `{}`, which is no joint",
-            joint.value.escape_debug()
+            joint.value.escaped()
         );
         let fault = Diagnostic::error(fault).at(joint.span, "unknown joint");
         findings.push(match names.near(&joint.value) {
@@ -240,7 +240,7 @@ fn link(
         };
         let fault = format!(
             "the joint of {name} mimics `{}`, which has {has}",
-            joint.value.escape_debug()
+            joint.value.escaped()
         );
         findings.push(
             Diagnostic::error(fault).at(joint.span, "expected a joint with one free coordinate"),
@@ -258,7 +258,7 @@ fn link(
 fn cycle(description: &Description, chain: &[usize]) -> Diagnostic {
     let name = |body: &usize| {
         joint_name(description, *body)
-            .map_or_else(String::new, |name| format!("`{}`", name.escape_debug()))
+            .map_or_else(String::new, |name| format!("`{}`", name.escaped()))
     };
     let [first, rest @ ..] = chain else {
         return Diagnostic::error("joints mimic one another");

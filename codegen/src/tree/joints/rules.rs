@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::description::{Chart, CoordinateName, Description, Speeds, WrittenBody, urdf};
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Escaped, Span};
 use crate::tree::changes::Changes;
 use crate::tree::joints::mechanics_rules::mechanics;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
@@ -77,7 +77,7 @@ fn names_twice(description: &Description, findings: &mut Vec<Diagnostic>) {
         };
         // Two bodies of one name are told elsewhere.
         if own.is_some() || *is_own {
-            let shown = name.value.escape_debug();
+            let shown = name.value.escaped();
             findings.push(
                 Diagnostic::error(format!("two joints have the name `{shown}`"))
                     .at(name.span, "the second one")

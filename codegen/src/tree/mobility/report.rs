@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::{CoordinateName, Description, JointKind, WrittenBody};
-use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::diagnostic::{Diagnostic, Escaped, Span, Spanned};
 use crate::id::BodyId;
 use crate::tree::Tree;
 use crate::tree::body::Inertia;
@@ -257,7 +257,7 @@ fn named(
         let (body, _) = coordinates[0];
         let joint = &tree.body(body).joint;
         if joint.is_named && joint.coordinates().len() == 1 {
-            groups.push(format!("joint `{}`", joint.name.escape_debug()));
+            groups.push(format!("joint `{}`", joint.name.escaped()));
             continue;
         }
         let named: Vec<String> = coordinates

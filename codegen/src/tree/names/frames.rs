@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::{Carrier, Description};
-use crate::diagnostic::{Diagnostic, Spanned, nearest};
+use crate::diagnostic::{Diagnostic, Escaped, Spanned, nearest};
 use crate::tree::names::lookup::listed;
 use crate::tree::names::rules::check_one;
 
@@ -33,7 +33,7 @@ pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnos
         );
         if let Some(name) = frame.name.as_ref().filter(|name| !name.value.is_empty()) {
             if let Some((kind, first)) = known.get(name.value.as_str()) {
-                let shown = name.value.escape_debug();
+                let shown = name.value.escaped();
                 let fault = match *kind {
                     "body" => format!("a body and a frame have the name `{shown}`"),
                     _ => format!("two frames have the name `{shown}`"),
@@ -76,14 +76,14 @@ fn unknown_body(
     names: &[&str],
     n_compared: usize,
 ) -> Diagnostic {
-    let shown = body.value.escape_debug();
+    let shown = body.value.escaped();
     let fault = Diagnostic::error(format!(
         "frame {number} is fixed in `{shown}`, which is no body"
     ));
     let help = if names.is_empty() {
         "without `body` it is fixed in the inertial frame".to_owned()
     } else if let Some(near) = nearest(&body.value, &names[..n_compared]) {
-        format!("did you mean `{}`?", near.escape_debug())
+        format!("did you mean `{}`?", near.escaped())
     } else {
         let names = listed(names);
         format!("bodies are {names}; without `body` it is fixed in the inertial frame")

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::Description;
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::diagnostic::{Diagnostic, Escaped, Spanned};
 use crate::words::is_rust_keyword;
 
 /// The identifiers of bodies with these names, and for those that had to change a note.
@@ -14,50 +14,62 @@ pub(crate) fn identifiers(
     names: &[Spanned<String>],
     findings: &mut Vec<Diagnostic>,
 ) -> Vec<String> {
+    let names: Vec<&Spanned<String>> = names.iter().collect();
+    let identifiers = unique(&names, BTreeSet::new());
+    let plural = "bodies have other names in generated code";
+    note_changed(["body", plural], &names, &identifiers, findings);
+    identifiers
+}
+
+/// The identifiers of frames with these names, beside those of the bodies; notes likewise.
+pub(crate) fn frame_identifiers(
+    names: &[&Spanned<String>],
+    bodies: &[String],
+    findings: &mut Vec<Diagnostic>,
+) -> Vec<String> {
+    let identifiers = unique(names, bodies.iter().cloned().collect());
+    let plural = "frames have other names in generated code";
+    note_changed(["frame", plural], names, &identifiers, findings);
+    identifiers
+}
+
+/// An identifier for each name, none of those that are taken. A name that is an identifier keeps it, wherever it stands in the list.
+fn unique(names: &[&Spanned<String>], mut taken: BTreeSet<String>) -> Vec<String> {
     let plain: Vec<String> = names.iter().map(|name| identifier(&name.value)).collect();
-    // A name that is an identifier keeps it, wherever it stands in the list.
-    let mut taken: BTreeSet<String> = BTreeSet::new();
     let kept: Vec<bool> = names
         .iter()
         .zip(&plain)
         .map(|(name, plain)| name.value == *plain && taken.insert(plain.clone()))
         .collect();
-    let mut unique = Vec::with_capacity(names.len());
     let mut next = BTreeMap::new();
-    for ((name, plain), kept) in names.iter().zip(plain).zip(kept) {
-        let identifier = if kept {
-            plain
-        } else {
-            unique_among(&plain, &mut taken, &mut next)
-        };
-        if identifier != name.value {
-            let note = format!(
-                "body `{}` is called `{identifier}` in generated code",
-                name.value.escape_debug()
-            );
-            findings.push(
-                Diagnostic::note(note)
-                    .at(name.span, "no lower snake case identifier of its own")
-                    .one_of(
-                        "bodies have other names in generated code",
-                        format!("`{}` is `{identifier}`", name.value.escape_debug()),
-                    ),
-            );
-        }
-        unique.push(identifier);
-    }
-    unique
+    let plain = plain.into_iter().zip(kept);
+    plain
+        .map(|(plain, kept)| {
+            if kept {
+                plain
+            } else {
+                unique_among(&plain, &mut taken, &mut next)
+            }
+        })
+        .collect()
 }
 
-/// The identifiers of frames with these names, beside those of the bodies.
-pub(crate) fn frame_identifiers<'a>(
-    names: impl Iterator<Item = &'a str>,
-    bodies: &[String],
-) -> Vec<String> {
-    let mut taken: BTreeSet<String> = bodies.iter().cloned().collect();
-    let mut next = BTreeMap::new();
-    let unique = |name: &str| unique_among(&identifier(name), &mut taken, &mut next);
-    names.map(unique).collect()
+fn note_changed(
+    [kind, plural]: [&'static str; 2],
+    names: &[&Spanned<String>],
+    identifiers: &[String],
+    findings: &mut Vec<Diagnostic>,
+) {
+    for (name, identifier) in names.iter().zip(identifiers) {
+        if *identifier != name.value {
+            let shown = name.value.escaped();
+            let note = format!("{kind} `{shown}` is called `{identifier}` in generated code");
+            let note = Diagnostic::note(note)
+                .at(name.span, "no lower snake case identifier of its own")
+                .one_of(plural, format!("`{shown}` is `{identifier}`"));
+            findings.push(note);
+        }
+    }
 }
 
 /// The identifier, or with a number behind it where it is taken; `next` holds the next one to try of each, so that thousands
@@ -122,7 +134,7 @@ pub(crate) fn joint_identifiers(description: &Description) -> Vec<String> {
             None => Spanned::new(String::new(), body.span),
         })
         .collect();
-    let own = identifiers(&bodies, &mut Vec::new());
+    let own = unique(&bodies.iter().collect::<Vec<_>>(), BTreeSet::new());
     let mut taken: BTreeSet<String> = description
         .bodies
         .iter()

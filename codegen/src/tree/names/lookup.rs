@@ -1,7 +1,7 @@
 //! Names that a user gives: the joint that has one, and what to say of one that is none.
 
 use crate::description::{Description, WrittenBody};
-use crate::diagnostic::{nearest, shown_name};
+use crate::diagnostic::{Escaped, nearest, shown_name};
 use crate::tree::names::shown::{by_joints, joint_name};
 
 /// The place in the user's list of the body whose joint has this name, or which has it itself.
@@ -19,7 +19,7 @@ pub(crate) fn meant(name: &str, known: &[&str], what: &str) -> Option<String> {
         return Some("these are several names: give each by itself".to_owned());
     }
     match nearest(name, known) {
-        Some(near) => Some(format!("did you mean `{}`?", near.escape_debug())),
+        Some(near) => Some(format!("did you mean `{}`?", near.escaped())),
         None if known.is_empty() => None,
         None => Some(format!("{what} are {}", listed(known))),
     }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::Description;
-use crate::diagnostic::{Diagnostic, Spanned, is_unprintable};
+use crate::diagnostic::{Diagnostic, Escaped, Spanned, is_unprintable};
 use crate::limits::NAME_CHARACTERS;
 use crate::tree::system::Tree;
 
@@ -25,7 +25,7 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) {
         if let Some(first) = first.get(name.value.as_str()) {
             let fault = Diagnostic::error(format!(
                 "two bodies have the name `{}`",
-                name.value.escape_debug()
+                name.value.escaped()
             ));
             findings.push(
                 fault

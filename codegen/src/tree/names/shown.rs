@@ -1,6 +1,7 @@
 //! How messages call what a description names.
 
 use crate::description::Description;
+use crate::diagnostic::Escaped;
 
 /// "body `hub`", or "body 3" where it has no name.
 pub(crate) fn shown(description: &Description, body: usize) -> String {
@@ -9,7 +10,7 @@ pub(crate) fn shown(description: &Description, body: usize) -> String {
         .get(body)
         .and_then(|body| body.name.as_ref())
     {
-        Some(name) if !name.value.is_empty() => format!("body `{}`", name.value.escape_debug()),
+        Some(name) if !name.value.is_empty() => format!("body `{}`", name.value.escaped()),
         _ => format!("body {}", body + 1),
     }
 }

@@ -4,7 +4,7 @@
 //! changed. Afterwards: rotations are orthonormal, and entries near 0, 1 and -1 are exact.
 
 use crate::description::{Description, JointKind, WrittenBody, WrittenJoint};
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::diagnostic::{Diagnostic, Escaped, Spanned};
 use crate::geometry::{IDENTITY, Rotation};
 use crate::tree::rotations::alignment::Alignment;
 use crate::tree::rotations::orthonormal::orthonormal;
@@ -106,7 +106,7 @@ impl Snapped {
     pub(crate) fn note(&self, description: &Description, order: &[usize]) -> Option<Diagnostic> {
         let of_body = |&place: &usize| {
             let name = description.bodies[place].name.as_ref();
-            let name = name.map_or_else(String::new, |name| name.value.escape_debug().to_string());
+            let name = name.map_or_else(String::new, |name| name.value.escaped());
             let changed = self.changed[place].iter();
             changed.map(move |what| format!("`{what}` of `{name}`"))
         };

@@ -6,6 +6,7 @@ mod side;
 mod systems;
 mod value;
 
+use kane_codegen::diagnostic::Escaped;
 use std::{
     io::Write,
     path::{Path, PathBuf},
@@ -134,7 +135,7 @@ fn one_revision(revision: &Path, other: &Path) -> Failures {
 }
 
 fn quoted(path: &Path) -> String {
-    format!("`{}`", path.to_string_lossy().escape_debug())
+    format!("`{}`", path.to_string_lossy().escaped())
 }
 
 /// Compares all systems of two snapshots.

@@ -7,7 +7,12 @@ use std::{
 };
 
 use kane_codegen::{
-    diagnostic::Source, error::Error, generate, options::Options, report::Outline, tree,
+    diagnostic::{Escaped, Source},
+    error::Error,
+    generate,
+    options::Options,
+    report::Outline,
+    tree,
 };
 
 use crate::cli::{Failures, git::Revision, job};
@@ -70,7 +75,7 @@ impl Side {
             .rsplit_once(':')
             .map_or(self.name(), |(_, path)| path);
         let name = Path::new(path).file_name().unwrap_or_default();
-        name.to_string_lossy().escape_debug().to_string()
+        name.to_string_lossy().escaped()
     }
 
     /// True for a generated module.

@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use kane_codegen::diagnostic::Source;
+use kane_codegen::diagnostic::{Escaped, Source};
 
 use super::{report::Report, side::Side};
 use crate::cli::{
@@ -109,7 +109,7 @@ impl Systems {
             let config = config.to_string_lossy();
             return Err(Failures::message(format!(
                 "neither `{old}` nor `{new}` has a file `{}`",
-                config.escape_debug()
+                config.escaped()
             )));
         }
         let [old, new] = [old, new].map(Option::unwrap_or_default);

@@ -1,6 +1,7 @@
 //! What a state says of orientations: nothing makes rotations of its numbers, here as in generated code.
 
 use kane_codegen::{
+    diagnostic::Escaped,
     expr::Input,
     functions::Request,
     tree::{Tree, Value},
@@ -28,7 +29,7 @@ fn quaternions(tree: &Tree, inputs: &State, voice: Voice) {
             continue;
         };
         if (length - 1.0).abs() > TOLERANCE {
-            let name = body.name.escape_debug();
+            let name = body.name.escaped();
             voice.say(format_args!(
                 "warning: the quaternion of `{name}` has length {length}; expected 1, for a rotation"
             ));
@@ -57,7 +58,7 @@ fn rotations(tree: &Tree, function: &Request, inputs: &State, voice: Voice) {
         }
         if !is_rotation(&rows.map(|row| row.map(Option::unwrap_or_default))) {
             told.push(&frame.name);
-            let name = frame.name.escape_debug();
+            let name = frame.name.escaped();
             voice.say(format_args!(
                 "warning: the rotation of frame `{name}` is none; expected rows of length 1 at right angles, right-handed"
             ));

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use kane_codegen::{
-    diagnostic::{Diagnostic, Diagnostics, Faults, Severity, Source, nearest},
+    diagnostic::{Diagnostic, Diagnostics, Escaped, Faults, Severity, Source, nearest},
     expr::Input,
     functions::{Argument, Dimension, Element, Function, Request, variable_elsewhere},
     id::ParameterId,
@@ -144,10 +144,10 @@ impl Reader<'_> {
         }
         let mut given: BTreeMap<usize, &str> = BTreeMap::new();
         for (name, value) in named {
-            let what = format!("{}.{}", argument.name(), name.escape_debug());
+            let what = format!("{}.{}", argument.name(), name.escaped());
             if let Some(place) = places.place(name) {
                 if let Some(other) = given.insert(place, name) {
-                    let other = other.escape_debug();
+                    let other = other.escaped();
                     self.fault(format!(
                         "`{what}` is `{other}` by another name; expected one"
                     ));
@@ -278,7 +278,7 @@ impl Reader<'_> {
                 let input = Input::Parameter(ParameterId::new(place));
                 self.number(&format!("{PARAMETERS}.{name}"), value, input);
             } else if !self.faults.is_full(Severity::Error) {
-                let name_shown = name.escape_debug();
+                let name_shown = name.escaped();
                 let fault = format!("`{PARAMETERS}` names `{name_shown}`, which is no parameter");
                 let help = known_names(name, &names, "parameters");
                 self.faults.push(Diagnostic::error(fault).help(help));
@@ -331,7 +331,7 @@ impl Reader<'_> {
             if self.faults.is_full(Severity::Error) {
                 return;
             }
-            let fault = format!("{what} has the unknown key `{}`", key.escape_debug());
+            let fault = format!("{what} has the unknown key `{}`", key.escaped());
             let own = variable_elsewhere(key).filter(|own| known.contains(own));
             let help = own.map(|own| format!("here it is called `{own}`"));
             let help = help.unwrap_or_else(|| known_names(key, known, "keys"));

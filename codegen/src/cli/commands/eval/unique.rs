@@ -1,5 +1,6 @@
 //! JSON in which no object has a key twice: of two values for one key, none is taken for the one that was meant.
 
+use kane_codegen::diagnostic::Escaped;
 use std::fmt;
 
 use serde_core::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
@@ -59,7 +60,7 @@ impl<'de> Visitor<'de> for Values {
         let mut object = Map::new();
         while let Some(key) = entries.next_key::<String>()? {
             if object.contains_key(&key) {
-                let key = key.escape_debug();
+                let key = key.escaped();
                 return Err(Error::custom(format_args!("the key `{key}` stands twice")));
             }
             let Unique(value) = entries.next_value()?;

@@ -14,6 +14,7 @@ use clap::Args;
 use kane_codegen::{
     companions::{Abi, CompanionKind},
     description::{self, toml},
+    diagnostic::Escaped,
     generate,
     options::{Options, companion},
     output::{self, Overwrite},
@@ -139,7 +140,7 @@ pub(crate) fn run(
 fn name(folder: &Path) -> Result<String, Failures> {
     let name = folder.file_name().unwrap_or_default();
     let name = name.to_string_lossy().into_owned();
-    let shown = name.escape_debug();
+    let shown = name.escaped();
     if TAKEN.contains(&name.as_str()) {
         return Err(Failures::message(format!(
             "`{shown}` cannot be the name of the package and of its module: Rust or cargo use it for something else"
