@@ -401,8 +401,9 @@ fn modules_of_one_model_are_known_as_such() {
     let ran = project.kane(&["diff", "generated/arm.rs", "fused.rs", "--lines"]);
     assert_eq!(ran.code, 1);
     assert!(
-        ran.out
-            .starts_with("the model is the same: its options or the generator differ\n--- "),
+        ran.out.starts_with(
+            "bodies and joints are the same: frames, options or the generator differ\n--- "
+        ),
         "{}",
         ran.out
     );

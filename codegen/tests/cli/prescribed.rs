@@ -354,7 +354,8 @@ fn diff_tells_what_prescribing_costs() {
     let ran = project.kane(&["diff", "generated/plain.rs", "generated/arm.rs"]);
     assert!(ran.out.contains("hybrid_dynamics"), "{ran:?}");
     assert!(
-        ran.out.contains("the model is the same: its options"),
+        ran.out
+            .contains("bodies and joints are the same: frames, options"),
         "{ran:?}"
     );
 }

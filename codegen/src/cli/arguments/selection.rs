@@ -235,14 +235,30 @@ impl Selection {
                 };
             }
             options.companions.extend(self.abi.map(CompanionKind::Abi));
-            // There the module stands alone.
             if job.target == Target::StandardOutput {
+                self.check_alone()?;
                 options.companions.clear();
             } else {
                 job.is_overridden = job.listing.is_some() && listed != *options;
             }
         }
         Ok(jobs)
+    }
+}
+
+impl Selection {
+    /// Standard output takes the module alone.
+    fn check_alone(&self) -> Result<(), Failures> {
+        let switches = self.switches();
+        let switches = switches.iter().filter(|(_, _, given)| *given == Some(true));
+        let asked = switches.map(|(_, option, _)| *option);
+        let mut failures = Failures::default();
+        for option in asked.chain(self.abi.map(|_| "--abi")) {
+            failures.add(Failures::message(format!(
+                "{option} writes beside the module, and standard output takes it alone; name a file with --output"
+            )));
+        }
+        failures.none()
     }
 }
 

@@ -6,14 +6,13 @@ mod side;
 mod systems;
 mod value;
 
-use kane_codegen::diagnostic::Escaped;
 use std::{
     io::Write,
     path::{Path, PathBuf},
 };
 
 use clap::{Args, ValueEnum};
-use kane_codegen::options::Options;
+use kane_codegen::{diagnostic::Escaped, error::Error, options::Options};
 
 use crate::cli::{
     Failures, Outcome, Voice,
@@ -178,10 +177,13 @@ fn pair(
     let known = match (old.is_module(), new.is_module()) {
         (true, true) => [&old, &new].map(Side::of_module),
         (false, false) => {
-            let options = options(arguments, asked, [&new, &old])?;
+            let (options, config) = options(arguments, asked, [&new, &old])?;
             // The path in the banner, which is no difference.
             let shown = new.file_name();
-            [&old, &new].map(|side| side.of_model(&shown, &options, Failures::from))
+            [&old, &new].map(|side| {
+                let explained = |error| explained(side, config.as_deref(), error);
+                side.of_model(&shown, &options, explained)
+            })
         }
         _ => {
             return Err(Failures::message(
@@ -219,22 +221,42 @@ fn config_here() -> Result<PathBuf, Failures> {
     Ok(paths::shown(&config)?)
 }
 
-/// The options that `kane.toml` has for the first of these models that it lists, below what is asked for.
+/// Why nothing can be generated from one of two models, by options that `kane.toml` may have.
+fn explained(side: &Side, config: Option<&Path>, error: Error) -> Failures {
+    let reasons: Vec<String> = match &error {
+        Error::Requests(faults) => faults.iter().map(ToString::to_string).collect(),
+        Error::Prescribed(_) => vec![error.to_string()],
+        _ => return error.into(),
+    };
+    let origin = config.map_or_else(String::new, |config| {
+        format!("; `{}` has the options", config.display())
+    });
+    let mut failures = Failures::default();
+    for reason in reasons {
+        let name = side.name();
+        failures.add(Failures::message(format!("`{name}`: {reason}{origin}")));
+    }
+    failures
+}
+
+/// The options that `kane.toml` has for the first of these models that it lists, below what is asked for; and that file, where it does.
 fn options(
     arguments: &Arguments,
     asked: &Asked<'_>,
     sides: [&Side; 2],
-) -> Result<Options, Failures> {
+) -> Result<(Options, Option<PathBuf>), Failures> {
     let mut options = Options::default();
+    let mut found = None;
     for file in sides.into_iter().filter_map(Side::own_file) {
-        let Some((_, listed)) = listed::config_of(&file, arguments.config.as_deref())? else {
+        let Some((config, listed)) = listed::config_of(&file, arguments.config.as_deref())? else {
             continue;
         };
         if let Some(job) = listed.jobs_of(&file)?.into_iter().next() {
             options = job.options;
+            found = Some(config);
             break;
         }
     }
     asked.set(&mut options);
-    Ok(options)
+    Ok((options, found))
 }

@@ -138,7 +138,9 @@ fn note(report: &Report) -> Option<String> {
     // Frames that only mark a place are no part of what is hashed.
     let says_the_same = old == new && report.differences.values.is_empty();
     let is_same_model = old.is_some() && says_the_same && !report.is_same();
-    is_same_model.then(|| "the model is the same: its options or the generator differ".to_owned())
+    is_same_model.then(|| {
+        "bodies and joints are the same: frames, options or the generator differ".to_owned()
+    })
 }
 
 fn sections(report: &Report) -> Vec<Section> {

@@ -105,6 +105,7 @@ pub(crate) fn run(
     );
     let listed = job.as_ref().ok().map(|job| &job.options.functions);
     let named = listed.and_then(|listed| functions::named(&arguments.function, listed));
+    let is_named = named.is_some();
     let function = named.map_or_else(|| functions::request(&arguments.function), Ok);
     let function = failures.keep(function);
     let job = failures.keep(job);
@@ -120,7 +121,14 @@ pub(crate) fn run(
     voice.warn_without_notes(&checked.warnings);
 
     let tree = &checked.tree;
-    let function = function.on(tree).map_err(Error::Requests)?;
+    let function = function.on(tree).map_err(|faults| {
+        let error = Error::Requests(faults);
+        if is_named {
+            job.explained(error)
+        } else {
+            error.into()
+        }
+    })?;
     let Some(state) = state.or_else(|| state::of_no_inputs(tree, &function)) else {
         let needs = format!(
             "`{}` needs a state; give one with `--state FILE`",

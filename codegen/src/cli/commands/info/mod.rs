@@ -13,7 +13,7 @@ use kane_codegen::{
     limits::COUNTED,
     options::{Functions, Options},
     recursive::Technique,
-    report::{self, Counts},
+    report,
     tree::Tree,
 };
 
@@ -119,7 +119,7 @@ pub(crate) fn run(
     let are_default = asked.is_none();
     let mut options = Options {
         functions: asked.unwrap_or_else(|| unasked(listed, arguments.json)),
-        ..job.options
+        ..job.options.clone()
     };
     if !arguments.without.is_empty() {
         options.without = arguments.without.iter().copied().collect();
@@ -127,7 +127,14 @@ pub(crate) fn run(
     let is_counted = !(is_large && are_default);
     let counts = if is_counted {
         rounded_angles::tell_of(&model.description, &options, voice);
-        counts(tree, &options)?
+        let requests = requests(tree, &options.functions).map_err(|error| {
+            if are_default {
+                job.explained(error)
+            } else {
+                error.into()
+            }
+        })?;
+        report::count(tree, &requests, &options.without)
     } else {
         Vec::new()
     };
@@ -158,11 +165,10 @@ fn unasked(listed: &Functions, json: bool) -> Functions {
     }
 }
 
-/// What the functions cost that are asked for, or everything of them that the model lacks.
-fn counts(tree: &Tree, options: &Options) -> Result<Vec<Counts>, Failures> {
-    let functions = &options.functions;
+/// The functions that are asked for, or everything of them that the model lacks.
+fn requests(tree: &Tree, functions: &Functions) -> Result<Vec<Request>, Error> {
     let of_set = CATALOGUE.iter().filter(|one| functions.set_has(one));
     let mut requests: Vec<Request> = of_set.map(Request::from).collect();
     requests.extend(functions.on(tree).map_err(Error::Requests)?);
-    Ok(report::count(tree, &requests, &options.without))
+    Ok(requests)
 }
