@@ -95,7 +95,8 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
     }
     let folder = folder(path);
     fs::create_dir_all(folder).map_err(io)?;
-    let mut file = temporary(folder).map_err(io)?;
+    // What is there for a moment only has a name that says nothing to the user.
+    let mut file = temporary(folder).map_err(|error| io(error.kind().into()))?;
     file.write_all(text.as_bytes()).map_err(io)?;
     file.as_file().sync_all().map_err(io)?;
     set_permissions(path, file.path()).map_err(io)?;

@@ -294,6 +294,7 @@ files! { FILES, description_is_refused:
     joint_entry_is_number
     joint_is_number
     joint_name_is_number
+    joints_that_contradict_their_names
     less_than_no_mass
     limit_at_run_time
     limits_is_number

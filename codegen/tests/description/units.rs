@@ -163,13 +163,4 @@ fn friction_is_told_to_be_in_no_equation() {
     let both = with("friction = 0.1\n") + "friction = 0.2\n";
     insta::assert_snapshot!(build(&both).unwrap().warnings.brief().lines[0].1);
     insta::assert_snapshot!(told(&(arm() + "friction = 0.2\n")), @"the friction of `fore` is in no equation of motion; the constant `FRICTION` holds it, for your program to add");
-    // What is fixed has none.
-    let fixed = system(
-        "[0, 1]",
-        &[
-            ("upper", "\"revolute\"\naxis = [0, 1, 0]"),
-            ("fore", "\"fixed\""),
-        ],
-    );
-    assert_eq!(told(&(fixed + "friction = 0.2\n")), "");
 }

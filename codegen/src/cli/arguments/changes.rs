@@ -46,7 +46,7 @@ pub(crate) struct ChangesArguments {
     /// Snap entries of constant rotations to 0, 1 or -1 if they are this near [default: 1e-9]
     ///
     /// Rounded right angles, such as 1.5708, leave small entries that cost operations: 1e-5 removes them. 0 changes nothing.
-    #[arg(long, value_name = "TOLERANCE", requires = "model", value_parser = tolerance, allow_negative_numbers = true)]
+    #[arg(long, value_name = "TOLERANCE", requires = "model", value_parser = tolerance, allow_hyphen_values = true)]
     snap: Option<f64>,
 
     /// Lock a coordinate at a value, rad or m; without VALUE at 0. May be repeated

@@ -1,6 +1,7 @@
 //! `kane verify`.
 
 use std::{
+    ffi::OsStr,
     fs,
     io::{self, Write},
     path::{Path, PathBuf},
@@ -9,6 +10,7 @@ use std::{
 
 use clap::{Args, ValueEnum};
 use kane_codegen::{
+    error::Error,
     functions::N_BODIES,
     object::{self, OptLevel, Options, Report, Runtime, Scalar},
     ownership::is_ours,
@@ -82,6 +84,7 @@ pub(crate) fn run(
         opt_level: arguments.opt_level,
         target_cpu: arguments.target_cpu.clone(),
     };
+    check_modules(&arguments.modules)?;
     let root = match &arguments.kane {
         Some(folder) => folder.join("src/lib.rs"),
         None => depended_on(&arguments.modules[0])?,
@@ -125,6 +128,24 @@ pub(crate) fn run(
     } else {
         Outcome::Broken
     })
+}
+
+/// Refuses what can be no module, before cargo is asked.
+fn check_modules(modules: &[PathBuf]) -> Result<(), Failures> {
+    let mut failures = Failures::default();
+    for path in modules {
+        let opened = fs::metadata(path).map_err(|source| Error::Io {
+            path: path.clone(),
+            source,
+        });
+        if failures.keep(opened).is_some() && path.extension() != Some(OsStr::new("rs")) {
+            failures.add(Failures::message(format!(
+                "`{}` is no module; expected a generated file that ends in `.rs`",
+                path.display()
+            )));
+        }
+    }
+    failures.none()
 }
 
 /// True for a generated file without bodies: the functions for C, the tests.

@@ -140,7 +140,9 @@ impl Job {
     fn check_files(&self) -> Result<(), Failures> {
         let files = self.files();
         let is_model = |file: &PathBuf| Target::File(file.clone()).is_same_file(&self.model);
-        if files.iter().any(is_model) {
+        // A module is no model, which is said where it is read.
+        let may_be_one = self.model.extension() != Some(OsStr::new("rs"));
+        if may_be_one && files.iter().any(is_model) {
             let model = self.model.display();
             return Err(Failures::message(format!(
                 "`{model}` is the model; the module needs a file of its own"

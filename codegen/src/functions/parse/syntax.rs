@@ -345,14 +345,16 @@ impl<'a> Reader<'a> {
         while self.take(',') {
             words.push(self.word()?);
         }
-        self.expect(
-            ')',
-            if self.rest().starts_with(';') {
+        let expected = match self.rest().chars().next() {
+            Some(';') => {
                 "expected `,` or `)`; with `;` there are `jvp(F; X)`, `vjp(F; X)`, the gradient, and `hessian(F; X)`"
-            } else {
-                "expected `,` or `)`"
-            },
-        )?;
+            }
+            Some('+' | '(' | '"') => {
+                "expected `,` or `)`; a name that contains `+`, `(` or `\"` stands in quotes"
+            }
+            _ => "expected `,` or `)`",
+        };
+        self.expect(')', expected)?;
         Ok(words)
     }
 

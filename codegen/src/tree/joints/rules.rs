@@ -78,12 +78,15 @@ fn names_twice(description: &Description, findings: &mut Vec<Diagnostic>) {
         // Two bodies of one name are told elsewhere.
         if own.is_some() || *is_own {
             let shown = name.value.escaped();
-            findings.push(
-                Diagnostic::error(format!("two joints have the name `{shown}`"))
-                    .at(name.span, "the second one")
-                    .at(*span, "the first one")
-                    .help("a joint without a name of its own has its body's"),
-            );
+            let fault = Diagnostic::error(format!("two joints have the name `{shown}`"))
+                .at(name.span, "the second one")
+                .at(*span, "the first one");
+            let are_both_own = own.is_some() && *is_own;
+            findings.push(if are_both_own {
+                fault
+            } else {
+                fault.help("a joint without a name of its own has its body's")
+            });
         }
     }
 }
@@ -125,16 +128,22 @@ fn orientation(
 ) {
     let turns = joint.free().filter(|motion| *motion < 3).count();
     if turns < 3 {
-        let found = match (body.joint.chart, body.joint.speeds) {
-            (Some(chart), _) if chart.value == Chart::Quaternion => Some(("`chart`", chart.span)),
-            (_, Some(speeds)) if speeds.value == Speeds::AngularVelocity => {
-                Some(("`speeds`", speeds.span))
-            }
-            _ => None,
-        };
-        if let Some((what, span)) = found {
+        let chart = body
+            .joint
+            .chart
+            .filter(|own| own.value == Chart::Quaternion);
+        let chart = chart.map(|own| ("`chart`", own.span));
+        let speeds = body.joint.speeds;
+        let speeds = speeds.filter(|own| own.value == Speeds::AngularVelocity);
+        let speeds = speeds.map(|own| ("`speeds`", own.span));
+        for (what, span) in chart.into_iter().chain(speeds) {
             let fault = format!("{what} of {name} needs a joint whose three angles are free");
-            findings.push(Diagnostic::error(fault).at(span, format!("{turns} of them are free")));
+            let free = [
+                "none of them is free",
+                "one of them is free",
+                "two of them are free",
+            ];
+            findings.push(Diagnostic::error(fault).at(span, free[turns]));
         }
     } else if let (Chart::Quaternion, Speeds::Rates, Some(speeds)) =
         (joint.chart, joint.speeds, body.joint.speeds)

@@ -55,7 +55,11 @@ pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnos
             let names: Vec<&str> = written_names(description).collect();
             // Looking through very many names very often would take too long.
             let n_compared = names.len().min(MOST_COMPARED / n_unknown);
-            findings.push(unknown_body(index + 1, body, &names, n_compared));
+            let frame = match &frame.name {
+                Some(name) if !name.value.is_empty() => format!("frame `{}`", name.value.escaped()),
+                _ => format!("frame {}", index + 1),
+            };
+            findings.push(unknown_body(&frame, body, &names, n_compared));
         }
     }
 }
@@ -71,15 +75,13 @@ fn written_names(description: &Description) -> impl Iterator<Item = &str> {
 
 /// `n_compared`: of how many names one may have been meant.
 fn unknown_body(
-    number: usize,
+    frame: &str,
     body: &Spanned<String>,
     names: &[&str],
     n_compared: usize,
 ) -> Diagnostic {
     let shown = body.value.escaped();
-    let fault = Diagnostic::error(format!(
-        "frame {number} is fixed in `{shown}`, which is no body"
-    ));
+    let fault = Diagnostic::error(format!("{frame} is fixed in `{shown}`, which is no body"));
     let help = if names.is_empty() {
         "without `body` it is fixed in the inertial frame".to_owned()
     } else if let Some(near) = nearest(&body.value, &names[..n_compared]) {
