@@ -52,10 +52,7 @@ pub fn expand<R: Real, const NU: usize>(
     });
 }
 
-/// Like [`expand`], into a nalgebra matrix or a mutable view of one.
-///
-/// # Panics
-/// If `dense` is dynamically sized and does not have three rows.
+/// Like [`expand`], into a nalgebra matrix or a mutable view of one. Speeds beyond its columns are skipped.
 #[cfg(feature = "nalgebra")]
 pub fn expand_matrix<R, NU, S>(
     columns: &[[R; 3]],

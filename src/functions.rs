@@ -167,11 +167,11 @@ function_traits! {
 }
 
 partial_traits! {
-    /// Partial angular velocities `W_K` of each body: `w_K = W_K u`, body components. Eqs. (15)-(17).
+    /// Partial angular velocities `W_K` of each body: `w_K = W_K u`, body components, rad/s per unit of each speed. Eqs. (15)-(17).
     "`{Self}` was generated without `partial_angular_velocity`; name it in `functions` and generate again"
     PartialAngularVelocity: partial_angular_velocity(q: &Self::Q), PartialAngularVelocityColumns, PARTIAL_ANGULAR_VELOCITY_BLOCKS;
 
-    /// Time derivatives of the partial angular velocities, `W_dot_K`, taken in body `K`, body components. Eq. (20).
+    /// Time derivatives of the partial angular velocities, `W_dot_K`, taken in body `K`, body components, rad/s² per unit of each speed. Eq. (20).
     "`{Self}` was generated without `partial_angular_velocity_dot`; name it in `functions` and generate again"
     PartialAngularVelocityDot: partial_angular_velocity_dot(q: &Self::Q, u: &Self::U), PartialAngularVelocityDotColumns, PARTIAL_ANGULAR_VELOCITY_DOT_BLOCKS;
 }
@@ -197,20 +197,20 @@ function_traits! {
 }
 
 partial_traits! {
-    /// Partial velocities `V_O_K` of each body's origin: `v_O_K = V_O_K u`, **lower-body** components.
+    /// Partial velocities `V_O_K` of each body's origin: `v_O_K = V_O_K u`, **lower-body** components, m/s per unit of each speed.
     /// Eqs. (28)-(30).
     "`{Self}` was generated without `partial_velocity_origin`; name it in `functions` and generate again"
     PartialVelocityOrigin: partial_velocity_origin(q: &Self::Q), PartialVelocityOriginColumns, PARTIAL_VELOCITY_ORIGIN_BLOCKS;
 
-    /// Time derivatives of the origins' partial velocities, `V_O_dot_K`, **lower-body** components. Eq. (34).
+    /// Time derivatives of the origins' partial velocities, `V_O_dot_K`, **lower-body** components, m/s² per unit of each speed. Eq. (34).
     "`{Self}` was generated without `partial_velocity_origin_dot`; name it in `functions` and generate again"
     PartialVelocityOriginDot: partial_velocity_origin_dot(q: &Self::Q, u: &Self::U), PartialVelocityOriginDotColumns, PARTIAL_VELOCITY_ORIGIN_DOT_BLOCKS;
 
-    /// Partial velocities `V_G_K` of each body's mass centre: `v_G_K = V_G_K u`, body components. Eq. (32).
+    /// Partial velocities `V_G_K` of each body's mass centre: `v_G_K = V_G_K u`, body components, m/s per unit of each speed. Eq. (32).
     "`{Self}` was generated without `partial_velocity`; name it in `functions` and generate again"
     PartialVelocity: partial_velocity(q: &Self::Q), PartialVelocityColumns, PARTIAL_VELOCITY_BLOCKS;
 
-    /// Time derivatives of the mass centres' partial velocities, `V_G_dot_K`, body components. Eq. (33).
+    /// Time derivatives of the mass centres' partial velocities, `V_G_dot_K`, body components, m/s² per unit of each speed. Eq. (33).
     "`{Self}` was generated without `partial_velocity_dot`; name it in `functions` and generate again"
     PartialVelocityDot: partial_velocity_dot(q: &Self::Q, u: &Self::U), PartialVelocityDotColumns, PARTIAL_VELOCITY_DOT_BLOCKS;
 }
@@ -419,8 +419,8 @@ function_traits! {
     "`{Self}` was generated without `center_of_mass_velocity`; name it in `functions` and generate again"
     CenterOfMassVelocity: center_of_mass_velocity(q: &Self::Q, u: &Self::U, velocity: &mut [R; 3]);
 
-    /// Partial velocities of the mass centre of all bodies, inertial components, `jacobian[component][speed]`: its velocity
-    /// is this matrix times `u`. Often called the `CoM` Jacobian.
+    /// Partial velocities of the mass centre of all bodies, inertial components, `jacobian[component][speed]`, m/s per unit of
+    /// each speed: its velocity is this matrix times `u`. Often called the `CoM` Jacobian.
     "`{Self}` was generated without `center_of_mass_jacobian`; name it in `functions` and generate again"
     CenterOfMassJacobian: center_of_mass_jacobian(q: &Self::Q, jacobian: &mut [Self::U; 3]);
 

@@ -42,6 +42,11 @@
 //! | the available scalars | [`Real`] |
 //! | how to integrate | [`integrate`], the module `simulate` to a tolerance, [`discrete`] with derivatives or exactly on quaternions |
 //! | how to check a state before you solve | [`checked`] |
+//! | the same numbers as vectors and matrices of nalgebra | the module `view` |
+//! | which columns a compact output has | [`block`] |
+//! | how to set parameters, or to read them as an array | [`Parametric`] |
+//! | how to convert states between angles and quaternions | the module `chart` |
+//! | how many operations a function needs | [`Cost`] |
 //! | how to compute many states at once | [`batch`], [`Lanes`] |
 //! | how to find coordinates for given poses | [`inverse_kinematics`] |
 //! | the place of a name in `q`, `u` or the bodies | [`place`] |

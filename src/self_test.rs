@@ -118,7 +118,7 @@ pub fn mass_matrix_is_positive_definite<S: MassMatrix<f64>>(
     system: &S,
     q: &S::Q,
 ) -> Result<(), Mismatch> {
-    let mut m = zero_matrix(system);
+    let mut m = unwritten(system);
     system.mass_matrix(q, &mut m);
     let n = S::U::LEN;
     for row in 0..n {
@@ -137,11 +137,11 @@ pub fn mass_matrix_is_positive_definite<S: MassMatrix<f64>>(
         }
         if !d.is_finite() || d <= 0.0 {
             return Err(Mismatch {
-                what: "mass matrix, pivot",
+                what: "mass matrix, pivot, which is to be positive",
                 place: pivot,
                 found: d,
-                expected: f64::INFINITY,
-                tolerance: f64::INFINITY,
+                expected: whole[pivot][pivot].abs(),
+                tolerance: whole[pivot][pivot].abs(),
             });
         }
         for row in 0..pivot {
@@ -239,7 +239,7 @@ pub fn bias_follows_the_mass_matrix<S: MassMatrix<f64> + Bias<f64>>(
         terms += u[speed].abs() * sum;
     }
     let energy = |t: f64| {
-        let mut m = zero_matrix(system);
+        let mut m = unwritten(system);
         system.mass_matrix(&moved_along(system, q, u, t), &mut m);
         let rows = m.as_ref().iter().zip(u.as_ref());
         let products = |row: &S::U| -> f64 {
@@ -326,7 +326,8 @@ fn scales<S: InverseDynamics<f64>>(system: &S, q: &S::Q, u: &S::U, u_dot: &S::U)
     scales
 }
 
-fn zero_matrix<S: MassMatrix<f64>>(_: &S) -> S::Matrix {
+/// A matrix for the system to write.
+fn unwritten<S: MassMatrix<f64>>(_: &S) -> S::Matrix {
     S::Matrix::filled(S::U::filled(f64::NAN))
 }
 

@@ -138,7 +138,8 @@ impl Error for SimulateError {}
 /// Simulates `M u_dot + bias = tau`, `q_dot = q_dot(q, u)` from `q` and `u` at `times[0]`.
 ///
 /// Returns one sample for each of `times` (s, increasing), the first being the initial state; none if `times` is
-/// empty. `control(t, q, u, tau)` overwrites `tau`, which is zero on entry. It is called at the integrator's
+/// empty. Quaternions in `q` must have length one, to a few roundings: [`scale_quaternions`](crate::manifold::scale_quaternions) sees
+/// to that. `control(t, q, u, tau)` overwrites `tau`, which is zero on entry. It is called at the integrator's
 /// stages, several times per step, also for rejected steps. No step goes past one of `times`.
 ///
 /// # Errors
@@ -155,6 +156,11 @@ pub fn simulate<S: ForwardDynamics<f64>>(
     let (Some(&start), Some(&end)) = (times.first(), times.last()) else {
         return Ok(Vec::new());
     };
+    let motion = Motion { system, control };
+    let initial = Point { q: *q, u: *u };
+    if !motion.is_finite_at(start, &initial) {
+        return Err(SimulateError::NotFinite { t: start });
+    }
     let mut samples = Vec::with_capacity(times.len());
     samples.push(Sample {
         t: start,
@@ -163,12 +169,6 @@ pub fn simulate<S: ForwardDynamics<f64>>(
     });
     if times.len() == 1 {
         return Ok(samples);
-    }
-
-    let motion = Motion { system, control };
-    let initial = Point { q: *q, u: *u };
-    if !motion.is_finite_at(start, &initial) {
-        return Err(SimulateError::NotFinite { t: start });
     }
     let mut method = ExplicitRungeKutta::dop853()
         .rtol(tolerance.relative)

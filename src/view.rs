@@ -33,7 +33,7 @@
 //! assert_eq!(tau, [1.0, -2.0]);
 //! ```
 //!
-//! [`stacked`] makes a Jacobian of six rows, [`step_by_state`] the matrix `A` of a discrete step, [`step_by_tau`] the matrix `B`. Both need the
+//! [`stacked`] makes a Jacobian of six rows, [`step_by_state`] the matrix `A` of a discrete step, [`step_by_tau`] the matrix `B`. The last two need the
 //! type of the result, because a compiler does not find `2 N` by itself: `let a: SMatrix<f64, 14, 14> = step_by_state(&derivatives)`.
 //!
 //! Without `std`, decompositions and norms need nalgebra's feature `libm`.

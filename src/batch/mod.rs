@@ -75,7 +75,7 @@ mod tile;
 use core::marker::PhantomData;
 
 use rows::Size;
-use tile::{GROUPS, Input, Output};
+use tile::{Input, Output, USUAL_GROUPS};
 
 use crate::functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix, MassMatrixPacked};
 use crate::{Array, Lanes, System};
@@ -213,7 +213,7 @@ impl<L: Lanes> Batch<L> {
             0..2 => self.tiled::<Q, M, 1>(q, m, zero, function, entry),
             2..4 => self.tiled::<Q, M, 2>(q, m, zero, function, entry),
             4..8 => self.tiled::<Q, M, 4>(q, m, zero, function, entry),
-            _ => self.tiled::<Q, M, GROUPS>(q, m, zero, function, entry),
+            _ => self.tiled::<Q, M, USUAL_GROUPS>(q, m, zero, function, entry),
         }
     }
 
@@ -255,10 +255,10 @@ macro_rules! methods {
                 $output: &mut [L::Scalar],
             ) -> Result<(), LengthError> {
                 $(let rows = self.rows(stringify!($argument), $argument, S::$given::LEN)?;
-                let mut $argument = Input::<L, S::$given, GROUPS>::new(rows);)+
+                let mut $argument = Input::<L, S::$given, USUAL_GROUPS>::new(rows);)+
                 let rows = self.rows_mut(stringify!($output), $output, S::$written::LEN)?;
                 let zero = S::$written::filled(L::from_f64(0.0));
-                let mut $output = Output::<L, S::$written, GROUPS>::new(rows, zero);
+                let mut $output = Output::<L, S::$written, USUAL_GROUPS>::new(rows, zero);
                 for tile in tile::tiles(self.states) {
                     $($argument.load(&tile);)+
                     for group in tile.places() {

@@ -11,7 +11,7 @@ use super::rows::{Rows, RowsMut};
 use crate::{Array, Lanes};
 
 /// The usual number of groups of a [`Tile`]: their states fill at least whole cache lines of a row.
-pub(super) const GROUPS: usize = 8;
+pub(super) const USUAL_GROUPS: usize = 8;
 
 /// Neighbouring groups of a batch.
 pub(super) struct Tile<L, const GROUPS: usize> {

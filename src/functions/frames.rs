@@ -61,7 +61,7 @@ pub trait Acceleration<R: Real, F>: System<R> {
 
 /// Jacobian of the frame `F`: its product with `u` is the frame's [`Velocity`].
 ///
-/// One row per component, one column per speed. For [`Local`] the components are along the frame's own axes, for
+/// One row per component, one column per speed: m/s and rad/s per unit of that speed. For [`Local`] the components are along the frame's own axes, for
 /// [`Seen`] the velocity is relative to the other frame, along the axes of the other. Often called the geometric Jacobian.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `jacobian(FRAME)` for `{F}`; name it in `functions` and generate again"

@@ -47,7 +47,7 @@ pub trait MassMatrixInversePacked<R: Real>: System<R> {
 
 /// The factors of the [`MassMatrix`](super::MassMatrix), `M = Lᵀ D L` along the tree, a sparse Cholesky factorisation. Eq. (42).
 ///
-/// D is on the diagonal, L beside it with an implied unit diagonal. There is no fill-in, except where mimic joints couple branches.
+/// D is on the diagonal, in the units of the mass matrix's, L beside it with an implied unit diagonal; an entry of L is a ratio of two speeds. There is no fill-in, except where mimic joints couple branches.
 /// Rows are eliminated from the leaves inward, in the order [`Self::ORDER`]. [`solve_factored`] solves with the factors.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `mass_matrix_factors`; name it in `functions` and generate again"
@@ -65,7 +65,7 @@ pub trait MassMatrixFactors<R: Real>: System<R> {
 }
 
 /// Coriolis matrix `C`, written whole, `c[row][column]`: `C u` is the [`Bias`](super::Bias) without weight, springs and dampers,
-/// `M_dot = C + Cᵀ`, and `M_dot - 2 C` is skew-symmetric. Eqs. (15), (20), (32), (33); often called centrifugal and Coriolis matrix.
+/// `M_dot = C + Cᵀ`, and `M_dot - 2 C` is skew-symmetric. An entry times its speed is a generalized force, N m or N. Eqs. (15), (20), (32), (33); often called centrifugal and Coriolis matrix.
 ///
 /// It is the sum of `m Vᵀ V_dot` over all particles, with `V` their partial velocities. If all speeds are rates of coordinates, it is the matrix
 /// that the Christoffel symbols of the first kind give.

@@ -19,7 +19,7 @@ pub trait InertialParameters<R: Real>: System<R> {
 /// The base parameters, by which [`BaseRegressor`] is multiplied: sums of [`InertialParameters`], each times its factor in
 /// [`BaseRegressor::TERMS`].
 ///
-/// The factors hold for the nominal parameters. Often called the minimal parameters.
+/// In kg, kg m and kg m², as the sums. The factors hold for the nominal parameters. Often called the minimal parameters.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `base_parameters`; name it in `functions` and generate again"
 )]
@@ -35,7 +35,7 @@ pub trait BaseParameters<R: Real>: System<R> {
 /// [`InverseDynamics`](super::InverseDynamics) is the sum of `y pi` over all bodies and parameters, plus the forces of springs, dampers
 /// and rotors. Ten parameters per body, including all that is fixed to it: `m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`,
 /// `I_xz`, `I_yz`, `I_zz`, about the body's origin, body components, kg, kg m, kg m²; `I_xy` is the tensor's component. The model's
-/// own values are not read. Often called the joint torque regressor, or identification matrix.
+/// own values are not read. An entry times its parameter is a generalized force, N m or N. Often called the joint torque regressor, or identification matrix.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `regressor`; name it in `functions` and generate again"
 )]
@@ -78,7 +78,7 @@ pub trait RegressorPacked<R: Real>: System<R> {
 /// Inertia forces and weight as a linear function of the base parameters: the independent columns of the [`Regressor`].
 ///
 /// Base parameters are the smallest set of combinations of inertial parameters that determines the forces, and all that measured
-/// forces can identify. Also known as minimal or reduced regressor, minimal inertial parameters.
+/// forces can identify. An entry times its base parameter is a generalized force, N m or N. Also known as minimal or reduced regressor, minimal inertial parameters.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `base_regressor`; name it in `functions` and generate again"
 )]

@@ -1,6 +1,6 @@
 //! [`Goal`]: the desired pose of a frame, and the error from it.
 
-use core::marker::PhantomData;
+use core::{fmt, marker::PhantomData};
 
 use crate::functions::{Jacobian, Pose};
 use crate::{Array, Real, System, rotation};
@@ -11,7 +11,6 @@ use super::equations::Equations;
 ///
 /// `F` is any frame with both [`Pose`] and [`Jacobian`]: one of the types in the generated module's `frames`, or
 /// [`Seen`](crate::functions::Seen) for a pose relative to another frame, which then replaces the inertial frame below.
-#[derive(Debug)]
 pub struct Goal<R, F> {
     /// Inertial components to components along the frame's axes, row by row, as [`Pose`] writes it.
     pub rotation: [[R; 3]; 3],
@@ -25,7 +24,27 @@ pub struct Goal<R, F> {
     frame: PhantomData<F>,
 }
 
-// Whatever the frame's type.
+// Derived, these would ask the frame's type for the same.
+impl<R: fmt::Debug, F> fmt::Debug for Goal<R, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Goal")
+            .field("rotation", &self.rotation)
+            .field("position", &self.position)
+            .field("position_weight", &self.position_weight)
+            .field("orientation_weight", &self.orientation_weight)
+            .finish()
+    }
+}
+
+impl<R: PartialEq, F> PartialEq for Goal<R, F> {
+    fn eq(&self, other: &Self) -> bool {
+        self.rotation == other.rotation
+            && self.position == other.position
+            && self.position_weight == other.position_weight
+            && self.orientation_weight == other.orientation_weight
+    }
+}
+
 impl<R: Copy, F> Clone for Goal<R, F> {
     fn clone(&self) -> Self {
         *self

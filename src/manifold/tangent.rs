@@ -1,6 +1,8 @@
 //! Derivatives of [`q_plus`](super::q_plus) and [`q_minus`](super::q_minus): a square block for each orientation, one or
 //! minus one for every other speed.
 
+use core::fmt;
+
 use super::turn::{self, Matrix, Vector};
 use super::{combined, entry, put, rates, three_rows, turnings};
 use crate::vector::unit;
@@ -10,7 +12,6 @@ use crate::{Array, Real, System};
 /// [`q_minus`](super::q_minus).
 ///
 /// For speeds that are rates of coordinates it is the identity, or its negative. For each orientation it has a block of three speeds.
-#[derive(Debug)]
 pub struct TangentMap<R: Real, S: System<R>> {
     /// The diagonal entry elsewhere.
     diagonal: R,
@@ -19,6 +20,18 @@ pub struct TangentMap<R: Real, S: System<R>> {
 }
 
 // Derived, these would ask the system for the same.
+impl<R: Real + fmt::Debug, S: System<R>> fmt::Debug for TangentMap<R, S>
+where
+    S::Rotations: fmt::Debug,
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("TangentMap")
+            .field("diagonal", &self.diagonal)
+            .field("blocks", &self.blocks)
+            .finish()
+    }
+}
+
 impl<R: Real, S: System<R>> Clone for TangentMap<R, S> {
     fn clone(&self) -> Self {
         *self

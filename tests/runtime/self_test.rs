@@ -1,8 +1,11 @@
-//! The checks beside generated modules: what is not finite passes none of them.
+//! The checks beside generated modules: what is not finite passes none of them, nor what is wrong by a thousandth.
 
-use kane::self_test::{has_values, mass_matrix_is_positive_definite};
+use kane::self_test::{
+    bias_follows_the_mass_matrix, forward_undoes_inverse, has_values, inverse_dynamics_is_linear,
+    mass_matrix_is_positive_definite, power_is_the_rate_of_energy,
+};
 
-use crate::common::CartPole;
+use crate::common::{CartPole, Faulty, Wrong};
 
 const INF: f64 = f64::INFINITY;
 
@@ -44,4 +47,43 @@ fn a_mass_matrix_is_finite() {
             "{mass}"
         );
     }
+}
+
+#[test]
+fn each_check_finds_a_term_that_is_wrong_by_a_thousandth() {
+    let (q, u, u_dot) = ([0.1, 0.7], [0.4, 1.3], [-0.6, 0.9]);
+    let checks = |wrong| {
+        let of = |mass| Faulty { mass, wrong };
+        let at = of(0.4);
+        [
+            forward_undoes_inverse(&at, &q, &u, &u_dot),
+            power_is_the_rate_of_energy(&at, &q, &u, &u_dot),
+            bias_follows_the_mass_matrix(&at, &q, &u),
+            inverse_dynamics_is_linear([&of(0.3), &at, &of(0.5)], &q, &u, &u_dot),
+        ]
+        .map(|result| result.is_ok())
+    };
+    assert_eq!(checks(None), [true; 4]);
+    for (wrong, expected) in [
+        (Wrong::Accelerations, [false, true, true, true]),
+        (Wrong::Energy, [true, false, true, true]),
+        (Wrong::Weight, [false, false, true, true]),
+        (Wrong::Coriolis, [false, false, false, true]),
+        (Wrong::Linearity, [false, false, true, false]),
+    ] {
+        assert_eq!(checks(Some(wrong)), expected, "{wrong:?}");
+    }
+}
+
+#[test]
+fn a_pivot_that_is_not_positive_is_told_as_one() {
+    let of = |mass| CartPole {
+        mass,
+        gravity: 9.81,
+    };
+    let fault = mass_matrix_is_positive_definite(&of(-1.5), &[0.1, 0.2]).unwrap_err();
+    assert_eq!(
+        fault.to_string(),
+        "mass matrix, pivot, which is to be positive, 1: found -1.5e0, expected 1.5e0 within 1.5e0"
+    );
 }

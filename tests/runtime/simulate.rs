@@ -290,6 +290,10 @@ fn a_motion_that_is_not_finite_is_reported() {
         failure(&[3.0, 4.0], Tolerance::default(), f64::NAN),
         SimulateError::NotFinite { t: 3.0 }
     );
+    assert_eq!(
+        failure(&[3.0], Tolerance::default(), f64::NAN),
+        SimulateError::NotFinite { t: 3.0 }
+    );
     // From 1 s on the law gives NaN: the step shrinks until it cannot.
     let system = Oscillator { stiffness: 1.0 };
     let law = |t: f64, _: &[f64; 1], _: &[f64; 1], tau: &mut [f64; 1]| {

@@ -1,6 +1,7 @@
 //! Systems small enough to write by hand.
 
 mod cart_pole;
+mod faulty;
 mod gimbal;
 mod one_coordinate;
 mod oscillator;
@@ -8,6 +9,7 @@ mod pendulum;
 mod turning;
 
 pub(crate) use cart_pole::CartPole;
+pub(crate) use faulty::{Faulty, Wrong};
 pub(crate) use gimbal::Gimbal;
 pub(crate) use one_coordinate::one_coordinate;
 pub(crate) use oscillator::Oscillator;
