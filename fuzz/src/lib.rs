@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use arbitrary::Unstructured;
 use kane_codegen::companions;
-use kane_codegen::compile::Options;
+use kane_codegen::options::Options;
 use kane_codegen::config::{Formulation, Functions};
 use kane_codegen::description::{Base, Chart, Reading};
 use kane_codegen::functions::CATALOGUE;

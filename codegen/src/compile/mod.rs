@@ -29,11 +29,10 @@ pub use size_check::check as check_size;
 
 use pipeline::Lowering;
 
-pub use crate::options::Options;
-
 use crate::{
     error::Error,
     functions::{CompactBlock, Formulation, Request},
+    options::Options,
     passes::hoist::Preparation,
     program::{self, Operations, Program},
     recursive::Technique,

@@ -64,21 +64,6 @@ impl ExprGraph {
         }))
     }
 
-    /// Calls a helper on columns. For each of them what it computes.
-    ///
-    /// # Panics
-    /// For the 65,537th call of a lockstep.
-    pub fn call(&mut self, lockstep: u16, call: Call) -> Vec<Vec<Expr>> {
-        let of = &self.lockstep(lockstep).helpers[call.helper];
-        let (lanes, n_roots) = (of.lanes, of.roots.len());
-        let call = self.add_call(lockstep, call);
-        let mut column = |lane| {
-            let own = (0..n_roots).map(|place| self.call_result(call, lane, place));
-            own.collect()
-        };
-        (0..lanes).map(&mut column).collect()
-    }
-
     /// A lockstep of the graph.
     pub fn lockstep(&self, number: u16) -> &Lockstep<Self> {
         &self.locksteps[&number]

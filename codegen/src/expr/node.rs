@@ -16,7 +16,7 @@ pub struct Expr {
 /// A value or an operation. Only [`ExprGraph`](super::ExprGraph) makes nodes, in canonical form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Node {
-    /// A finite number, not negative, by its bits.
+    /// A number, finite unless the graph has overflowed, not negative, by its bits.
     Number(u64),
     /// A value that the function is given.
     Input(Input),

@@ -2,9 +2,9 @@
 //!
 //! In: a derived function. Out: the same roots with fewer operations, and parameters' own work taken out.
 //! In order, which `compile::pipeline` keeps, with what holds afterwards:
-//! 1. `factor`: no sum has two products with a common factor that nothing else needs, nor two terms that are known before the
-//!    loop.
-//! 2. `angles`, in joined functions: no sine is taken of a sum of angles whose sines are taken; or `sines`, where it is asked for: sines
+//! 1. `factor`: no sum of a body's own terms has two products with a common factor that nothing else needs, nor two terms that are
+//!    known before the loop.
+//! 2. `angles`, in joined functions: no sine is taken of a short sum of angles whose sines are taken; or `sines`, where it is asked for: sines
 //!    and cosines of coordinates are inputs.
 //! 3. `hoist`: no operation of a function depends on parameters alone; those are `Prepared`'s.
 //! 4. `branches`, where a function is long: what branches of the tree that are alike go through alike is written once.

@@ -3,7 +3,6 @@
 use std::{
     collections::{BTreeMap, BTreeSet},
     fmt,
-    ops::AddAssign,
 };
 
 use super::{Helper, Instruction, Operation, Program};
@@ -66,15 +65,6 @@ impl Operations {
     /// All operations.
     pub fn total(self) -> usize {
         self.mul + self.add + self.div + self.trig
-    }
-}
-
-impl AddAssign for Operations {
-    fn add_assign(&mut self, other: Self) {
-        self.mul += other.mul;
-        self.add += other.add;
-        self.div += other.div;
-        self.trig += other.trig;
     }
 }
 

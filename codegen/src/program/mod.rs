@@ -162,11 +162,6 @@ impl ValueId {
 }
 
 impl Program {
-    /// The ids of the values.
-    pub fn ids(&self) -> impl Iterator<Item = ValueId> + use<> {
-        (0..u32::try_from(self.values.len()).expect("program: value ids are u32")).map(ValueId)
-    }
-
     /// How often each value is used.
     pub(crate) fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.values.len()];

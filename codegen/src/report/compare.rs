@@ -120,5 +120,9 @@ pub fn differs_in_layout_only(old: &str, new: &str) -> bool {
         lines.map(str::to_owned).collect()
     };
     let differs = old.replace("\r\n", "\n") != new && banner(old) == banner(new);
-    differs && layout(old).is_some() && layout(old) == layout(new)
+    if !differs {
+        return false;
+    }
+    let before = layout(old);
+    before.is_some() && before == layout(new)
 }

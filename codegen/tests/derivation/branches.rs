@@ -3,10 +3,11 @@
 use std::collections::BTreeSet;
 
 use kane_codegen::{
-    compile::{self, Options},
+    compile,
     config::Functions,
     expr::{Expr, ExprGraph, Input},
     functions::{Formulation, Request},
+    options::Options,
     passes::branches,
     program::{self, Program},
     recursive::{Plan, Technique},

@@ -7,11 +7,12 @@
 use std::{collections::BTreeMap, fs, path::Path};
 
 use kane_codegen::{
-    compile::{self, Emittable, Options},
+    compile::{self, Emittable},
     config::Functions,
     description::{self, Base, Description, Reading, no_includes, toml},
     diagnostic::Source,
     expr::Input,
+    options::Options,
     tree::{self, Tree},
 };
 

@@ -6,10 +6,11 @@ use std::{fmt::Write as _, fs};
 
 use crate::compiled::read;
 use kane_codegen::{
-    compile::{self, Options},
+    compile,
     config::{Formulation, Functions},
     description::{Base, Chart, Reading},
     functions::CATALOGUE,
+    options::Options,
     program::Operations,
     tree::Tree,
 };

@@ -1,9 +1,10 @@
 //! Second derivatives: against differences of gradients, and of values along motions at constant speeds.
 
 use kane_codegen::{
-    compile::{self, Options},
+    compile,
     description::{Base, Reading},
     functions::{Formulation, Request},
+    options::Options,
     recursive::{Plan, Technique},
     tree::{ChartCoordinates, Orientation, Tree},
 };

@@ -5,12 +5,13 @@
 use std::fs;
 
 use kane_codegen::{
-    compile::{self, Compiled, Options},
+    compile::{self, Compiled},
     config::Functions,
     description::{Base, Reading, no_includes},
     diagnostic::Source,
     expr::Input,
     generate,
+    options::Options,
     program::{self, Instruction, Operand, Operation, Program},
 };
 use kane_test_support::compare::{Tolerance, assert_close};

@@ -5,7 +5,6 @@
 use std::{collections::BTreeSet, fs};
 
 use kane_codegen::{
-    compile::Options,
     config::Functions,
     description::{Base, Chart, Reading, no_includes},
     diagnostic::Source,
@@ -13,6 +12,7 @@ use kane_codegen::{
     functions::Request,
     generate::{Generated, generate},
     id::{BodyId, CoordinateId, ParameterId},
+    options::Options,
     passes::{
         hoist::{self, Preparation},
         sines,

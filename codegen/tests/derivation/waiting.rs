@@ -1,8 +1,9 @@
 //! How many numbers wait in memory until they are used.
 
 use kane_codegen::{
-    compile::{self, Options},
+    compile,
     config::Functions,
+    options::Options,
     program::{Operand, Program},
     recursive::Technique,
 };

@@ -5,10 +5,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use kane_codegen::compile::Options;
 use kane_codegen::description::{self, Base, Chart, Reading, no_includes, toml};
 use kane_codegen::diagnostic::Source;
 use kane_codegen::generate::generate;
+use kane_codegen::options::Options;
 use kane_codegen::tree::Changes;
 
 fn folder(name: &str) -> PathBuf {

@@ -2,11 +2,11 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
-use kane_codegen::compile::Options;
 use kane_codegen::description::{no_includes, urdf};
 use kane_codegen::diagnostic::Source;
 use kane_codegen::generate::{Generated, generate};
 use kane_codegen::geometry::IDENTITY;
+use kane_codegen::options::Options;
 use kane_codegen::rounded_angles;
 use kane_codegen::tree::{Alignment, Changes};
 

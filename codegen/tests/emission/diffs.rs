@@ -9,12 +9,12 @@ use std::{
 };
 
 use kane_codegen::{
-    compile::Options,
     config::{Formulation, Functions},
     description::no_includes,
     diagnostic::Source,
     functions::CATALOGUE,
     generate::generate,
+    options::Options,
     recursive::Technique::{Articulated, Carriers, Lockstep},
 };
 

@@ -1,9 +1,9 @@
 //! What the header for C says of a module's names and limits.
 
-use kane_codegen::compile::{self, Options};
 use kane_codegen::listing::{Facts, Module};
 use kane_codegen::origin::Origin;
 use kane_codegen::printers::c;
+use kane_codegen::{compile, options::Options};
 use kane_test_support::models::{build, system};
 
 /// The header of a module of which these facts are others.

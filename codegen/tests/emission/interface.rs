@@ -6,12 +6,12 @@ use std::{fs, path::Path};
 
 use kane_codegen::{
     companions::{Abi, CompanionKind, can_be_beside},
-    compile::Options,
     config::Functions,
     description::no_includes,
     diagnostic::Source,
     error::Error,
     generate::{Generated, generate},
+    options::Options,
 };
 use kane_test_support::models::system;
 

@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use kane_codegen::{
-    compile::Options,
     description::{Base, Reading},
     diagnostic::Source,
+    options::Options,
 };
 
 use crate::module::{generate, hinges, named};

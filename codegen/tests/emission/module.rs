@@ -5,7 +5,6 @@
 use std::{collections::BTreeSet, fs};
 
 use kane_codegen::{
-    compile::Options,
     config::Functions,
     description::{Base, Chart, Reading, no_includes},
     diagnostic::Source,
@@ -13,6 +12,7 @@ use kane_codegen::{
     functions::CATALOGUE,
     generate::{self, Generated, OUTPUT_FORMAT},
     listing::RESERVED,
+    options::Options,
     program::Operations,
     report,
     tree::Changes,

@@ -7,10 +7,10 @@ use std::{
 
 use kane_codegen::{
     companions::CompanionKind,
-    compile::Options,
     config::Functions,
     description::{self, Reading, no_includes},
     diagnostic::Source,
+    options::Options,
     tree,
 };
 

@@ -1,10 +1,10 @@
 //! Names that would leave where they are written, and those that cannot be shown.
 
 use kane_codegen::{
-    compile::Options,
     config::Functions,
     description::{Reading, no_includes},
     generate::generate,
+    options::Options,
 };
 use kane_test_support::{
     models::system,

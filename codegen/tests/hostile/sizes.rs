@@ -2,12 +2,12 @@
 
 use kane_codegen::{
     companions::CompanionKind,
-    compile::Options,
     config::Functions,
     description::{self, Reading, no_includes},
     diagnostic::{Diagnostic, Source},
     generate::generate,
     limits,
+    options::Options,
 };
 use kane_test_support::{
     models::{body, system},

@@ -4,12 +4,12 @@ use std::{fmt::Write as _, fs, process::Command};
 
 use kane_codegen::{
     companions::{Abi, CompanionKind},
-    compile::Options,
     config::Functions,
     description::no_includes,
     diagnostic::Source,
     functions::CATALOGUE,
     generate::{Generated, generate},
+    options::Options,
 };
 
 use kane_test_support::tool::tools;

@@ -9,12 +9,12 @@
 
 use std::io;
 
-use kane_codegen::compile::Options;
 use kane_codegen::description::{self, Description, Reading, toml};
 use kane_codegen::diagnostic::{Diagnostic, Diagnostics, Source, SourceFile};
 use kane_codegen::error::Error;
 use kane_codegen::functions::{OF_FRAMES, Parsed};
 use kane_codegen::generate::{Generated, generate};
+use kane_codegen::options::Options;
 use kane_codegen::tree::{self, Changes, Tree, canonical};
 
 use crate::shown::steers;

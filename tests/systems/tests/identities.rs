@@ -188,9 +188,10 @@ fn both_formulations_agree() {
 /// the sines of the same library. So no parenthesis, sign, name or index was lost in emission.
 mod bits {
     use kane_codegen::{
-        compile::{self, Options},
+        compile,
         config::{Formulation, Functions},
         expr::Input,
+        options::Options,
         tree::Tree,
     };
 

@@ -12,11 +12,11 @@ use kane::{
     },
 };
 use kane_codegen::{
-    compile::Options,
     config::{Formulation, Functions},
     description::no_includes,
     diagnostic::Source,
     generate::generate,
+    options::Options,
 };
 use kane_test_support::{
     compare::{assert_within, relative},

@@ -3,12 +3,12 @@
 use std::{fs, path::Path, process::Command};
 
 use kane_codegen::{
-    compile::Options,
     config::{Formulation, Functions},
     description::{Base, Reading, no_includes},
     diagnostic::Source,
     functions::CATALOGUE,
     generate::generate,
+    options::Options,
 };
 use kane_test_systems::{BAKED_RUNTIME_CHANGED, RANDOM};
 use syn::visit::{self, Visit};

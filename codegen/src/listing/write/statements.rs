@@ -46,7 +46,7 @@ pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: &[Entry]
         program,
         known,
         held: vec![None; program.values.len()],
-        taken: BTreeMap::new(),
+        in_arrays: BTreeMap::new(),
         stores: BTreeMap::new(),
         headings: headings::of(program, known.groups, known.tree),
         code: Code::default(),
@@ -85,8 +85,8 @@ struct StatementWriter<'a> {
     known: &'a ProgramContext<'a>,
     /// The local of each value, once it is assigned.
     held: Vec<Option<LocalId>>,
-    /// Sines and cosines that were taken together and have no local yet.
-    taken: BTreeMap<ValueId, Expression>,
+    /// Values that stand in an array and have no local yet: sines and cosines, and what calls compute.
+    in_arrays: BTreeMap<ValueId, Expression>,
     /// What is not stored yet.
     stores: BTreeMap<ValueId, Vec<(Entry, Operand)>>,
     /// What stands before statements that are not written yet.
@@ -188,7 +188,7 @@ impl StatementWriter<'_> {
         for (array, values) in arrays.into_iter().zip([sines, cosines]) {
             for (place, id) in values.iter().enumerate() {
                 let element = Expression::Element(array, place);
-                self.taken.extend(id.map(|id| (id, element)));
+                self.in_arrays.extend(id.map(|id| (id, element)));
             }
         }
     }
@@ -227,7 +227,8 @@ impl StatementWriter<'_> {
         self.n_calls += 1;
         for (place, id) in results.iter().flatten().enumerate() {
             if let Some(id) = *id {
-                self.taken.insert(id, Expression::Element(solved, place));
+                self.in_arrays
+                    .insert(id, Expression::Element(solved, place));
                 self.store_from(id);
             }
         }
@@ -236,7 +237,11 @@ impl StatementWriter<'_> {
     /// Stores what stands in an array, wherever it goes, without a local.
     fn store_from(&mut self, id: ValueId) {
         let stores = self.stores.remove(&id).unwrap_or_default();
-        let element = self.taken.get(&id).cloned().filter(|_| !stores.is_empty());
+        let element = self
+            .in_arrays
+            .get(&id)
+            .cloned()
+            .filter(|_| !stores.is_empty());
         let Some(element) = element else { return };
         self.stored.insert(id);
         for (place, operand) in stores {
@@ -306,7 +311,7 @@ impl StatementWriter<'_> {
         }
         let value = match self.program.value(id).definition {
             Definition::Input(input) => Some(Expression::Entry((self.known.entry)(input))),
-            Definition::Instruction => self.taken.remove(&id),
+            Definition::Instruction => self.in_arrays.remove(&id),
         };
         if let Some(value) = value {
             self.assign(id, value);

@@ -63,6 +63,16 @@ pub(super) fn index(base: Expr, place: usize) -> Expr {
     index_by(base, integer(place))
 }
 
+/// The same, by a variable.
+pub(super) fn index_by(base: Expr, place: Expr) -> Expr {
+    Expr::Index(ExprIndex {
+        attrs: Vec::new(),
+        expr: Box::new(base),
+        bracket_token: Bracket::default(),
+        index: Box::new(place),
+    })
+}
+
 /// `&a`.
 pub(super) fn reference(a: Expr) -> Expr {
     borrow(None, a)
@@ -74,16 +84,6 @@ fn borrow(mutability: Option<Mut>, a: Expr) -> Expr {
         and_token: And::default(),
         mutability,
         expr: Box::new(a),
-    })
-}
-
-/// The same, by a variable.
-pub(super) fn index_by(base: Expr, place: Expr) -> Expr {
-    Expr::Index(ExprIndex {
-        attrs: Vec::new(),
-        expr: Box::new(base),
-        bracket_token: Bracket::default(),
-        index: Box::new(place),
     })
 }
 

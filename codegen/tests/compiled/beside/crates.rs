@@ -8,8 +8,8 @@ use std::{
 };
 
 use kane_codegen::{
-    companions::CompanionKind, compile::Options, config::Functions, description::no_includes,
-    diagnostic::Source, generate::generate,
+    companions::CompanionKind, config::Functions, description::no_includes, diagnostic::Source,
+    generate::generate, options::Options,
 };
 
 /// The file of the crate `kane`, compiled once without features.

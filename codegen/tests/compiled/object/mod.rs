@@ -13,12 +13,12 @@ use std::{
 };
 
 use kane_codegen::{
-    compile,
     config::Functions,
     description::{Base, Reading, no_includes},
     diagnostic::Source,
     generate,
     object::{OptLevel, Options, Report, Runtime, Scalar, What, verify},
+    options,
 };
 
 use kane_test_support::systems::trees;
@@ -59,13 +59,13 @@ fn assert_holds(report: &Report, what: &str) {
 
 /// The module of a model.
 fn module(source: &Source, base: Option<Base>, functions: Functions) -> String {
-    let options = compile::Options {
+    let options = options::Options {
         functions,
         reading: Reading {
             base,
             ..Reading::default()
         },
-        ..compile::Options::default()
+        ..options::Options::default()
     };
     let module = generate::generate(source, "model", &options, &no_includes);
     module.unwrap().source
@@ -204,9 +204,9 @@ fn columns_and_branches_in_lockstep_hold() {
 fn an_arm_holds_with_larger_vectors_and_fused_operations() {
     let path = repository("tests/robots/panda/panda.urdf");
     let source = Source::new("panda.urdf", fs::read_to_string(path).unwrap());
-    let options = compile::Options {
+    let options = options::Options {
         fma: true,
-        ..compile::Options::default()
+        ..options::Options::default()
     };
     let module = generate::generate(&source, "model", &options, &no_includes);
     let folder = tempfile::tempdir().unwrap();

@@ -2,13 +2,13 @@
 
 use std::sync::OnceLock;
 
-use kane_codegen::compile::{self, Options};
 use kane_codegen::config::Functions;
 use kane_codegen::listing::{
     ArrayId, Entry, Expression, Fault, Function, LocalId, Member, Module, Statement, Step, verify,
     verify_facts,
 };
 use kane_codegen::origin::Origin;
+use kane_codegen::{compile, options::Options};
 use kane_test_support::models;
 
 /// Two bodies with five angles, of which one has a mass that is set at run time.
