@@ -131,8 +131,10 @@ fn check_calls(facts: &Facts, function: &Function) -> Result<(), Fault> {
         let own = helper.signature.arguments.iter();
         let own: Vec<usize> = own.map(|place| facts.extent(place).size()).collect();
         let lanes = helper.lanes;
-        let mut held: Vec<_> = shared.iter().map(|&place| (extents[place], 1)).collect();
-        held.push((extents[*sides], lanes));
+        let extent = |place: usize| extents.get(place).ok_or(Fault::NoArgument(place));
+        let shared = shared.map(extent).transpose()?;
+        let mut held: Vec<_> = shared.into_iter().map(|extent| (*extent, 1)).collect();
+        held.push((*extent(*sides)?, lanes));
         held.push((code.array(*solved).length, lanes));
         let mut both = own.iter().zip(&held);
         if own.len() != held.len() || both.any(|(own, (held, lanes))| lanes * own != *held) {

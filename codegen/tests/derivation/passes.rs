@@ -9,7 +9,7 @@ use kane_codegen::{
         factor,
         hoist::{self, Preparation},
     },
-    program::{self, Operations, Program},
+    program::{self, Operand, Operation, Operations, Program},
 };
 use kane_test_support::random::Random;
 
@@ -329,6 +329,40 @@ fn the_verifier_sees_each_broken_promise() {
         broken(|p| p.stores.clear()),
         Err(program::VerifyError::Dead(_))
     ));
+    // A sum, of which the second operand may have a sign, then a product, of which none may.
+    let with = |place: usize, change: &dyn Fn([Operand; 2]) -> Operation| {
+        let mut program = good();
+        let program::Instruction::Compute { operation, .. } = &mut program.instructions[place]
+        else {
+            panic!("the program has two operations")
+        };
+        let (Operation::Add(a, b) | Operation::Mul(a, b)) = *operation else {
+            panic!("a sum and a product")
+        };
+        *operation = change([a, b]);
+        program::verify(&program)
+    };
+    let minus = |operand| match operand {
+        Operand::Value { id, .. } => Operand::Value { id, negative: true },
+        Operand::Number(number) => Operand::Number(-number),
+    };
+    assert_eq!(with(0, &|[a, b]| Operation::Add(a, minus(b))), Ok(()));
+    for misplaced in [
+        with(0, &|[a, b]| Operation::Add(minus(a), b)),
+        with(1, &|[a, b]| Operation::Mul(minus(a), b)),
+        with(1, &|[a, b]| Operation::Mul(a, minus(b))),
+        with(1, &|[a, b]| Operation::Div(a, minus(b))),
+        with(1, &|[a, _]| Operation::Abs(minus(a))),
+    ] {
+        assert!(matches!(
+            misplaced,
+            Err(program::VerifyError::MisplacedSign(_))
+        ));
+    }
+    let unfolded = with(1, &|_| {
+        Operation::Mul(Operand::Number(0.5), Operand::Number(3.0))
+    });
+    assert!(matches!(unfolded, Err(program::VerifyError::Unfolded(_))));
     let none = || program::Instruction::SinCos {
         angles: vec![program::Operand::Number(0.5); 2],
         sines: vec![None; 2],

@@ -9,4 +9,5 @@ mod long;
 mod module;
 mod names;
 mod nesting;
+mod reserved;
 mod writing;

@@ -9,9 +9,7 @@ use kane_codegen::{
     description::{Base, Chart, Reading, no_includes},
     diagnostic::Source,
     error::Error,
-    functions::CATALOGUE,
     generate::{self, Generated, OUTPUT_FORMAT},
-    listing::RESERVED,
     options::Options,
     program::Operations,
     report,
@@ -346,17 +344,6 @@ fn model_that_says_it_itself_is_not_told_its_base_or_chart() {
     error: the chart can be chosen for a URDF or MJCF alone: each joint of this model says it itself, with the key `chart`
     --> pendulum.toml
     "#);
-}
-
-#[test]
-fn no_local_value_can_take_the_name_of_an_argument_or_output() {
-    for function in &CATALOGUE {
-        let arguments = function.arguments.iter().map(|argument| argument.name());
-        let outputs = function.outputs.iter().map(|output| &*output.name);
-        for name in arguments.chain(outputs).chain(["p"]) {
-            assert!(RESERVED.contains(&name), "{name}");
-        }
-    }
 }
 
 #[test]

@@ -29,16 +29,6 @@ pub(super) const KEYS: [&str; 17] = [
     "limits",
     "mimic",
 ];
-/// Those that only what moves can have.
-const MOVING: [&str; 7] = [
-    "stiffness",
-    "rest",
-    "damping",
-    "armature",
-    "friction",
-    "limits",
-    "mimic",
-];
 const LIMIT_KEYS: [&str; 4] = ["lower", "upper", "velocity", "effort"];
 const MIMIC_KEYS: [&str; 3] = ["joint", "multiplier", "offset"];
 
@@ -51,7 +41,6 @@ pub(super) fn read(reader: &mut Reader, body: &Table<'_, '_>) -> WrittenJoint {
     let kind_item = reader.required(body, "joint", "joint = [\"theta1\"]");
     let kind = kind_item.and_then(|item| kind(reader, item, &body.what("joint")));
     let axis = axis(reader, body, kind.as_ref());
-    contradictions(reader, body, kind.as_ref());
     let name = body.get("joint_name");
     let name = name.and_then(|item| reader.string(item, &body.what("joint_name")));
     let attachment_rotation = value::rotation(reader, body, "attachment_rotation");
@@ -185,39 +174,6 @@ fn axis(
             None
         }
         _ => axis,
-    }
-}
-
-/// What is said of a motion that the joint's name excludes.
-fn contradictions(reader: &mut Reader, body: &Table<'_, '_>, kind: Option<&Spanned<JointKind>>) {
-    let Some(kind) = kind else { return };
-    let mut refuse = |item: &Item<'_>, fault: String, help: &str| {
-        let fault = Diagnostic::error(fault)
-            .at(span(item), "not expected")
-            .at(kind.span, "this joint");
-        reader.faults.push(fault.help(help));
-    };
-    match kind.value {
-        JointKind::Fixed => {
-            for key in MOVING {
-                if let Some(item) = body.get(key) {
-                    let fault = format!("{} is given, but its joint is fixed", body.what(key));
-                    refuse(item, fault, &format!("leave `{key}` out"));
-                }
-            }
-        }
-        JointKind::Continuous => {
-            let limits = body.get("limits");
-            let limits = limits.and_then(|item| item.get_ref().as_table());
-            for key in ["lower", "upper"] {
-                if let Some(item) = limits.and_then(|limits| limits.get(key)) {
-                    let limits = body.what("limits");
-                    let fault = format!("{limits} has `{key}`, but its joint is continuous");
-                    refuse(item, fault, "a joint with such limits is `revolute`");
-                }
-            }
-        }
-        _ => {}
     }
 }
 

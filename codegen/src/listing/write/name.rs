@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// Names that generated functions use for other things: arguments, outputs, what holds sines and cosines.
-pub const RESERVED: [&str; 50] = [
+pub const RESERVED: [&str; 51] = [
     "acceleration",
     "accelerations",
     "alpha",
@@ -52,6 +52,7 @@ pub const RESERVED: [&str; 50] = [
     "q",
     "q_dot",
     "rates",
+    "rotation",
     "rotations",
     "sin_cos",
     "sines",

@@ -1,6 +1,6 @@
 //! Springs, dampers, rotors, friction and limits: of coordinates that can have them, and of the right sign.
 
-use crate::description::{Limits, PerCoordinate, Scalar, WrittenBody};
+use crate::description::{JointKind, Limits, PerCoordinate, Scalar, WrittenBody, WrittenJoint};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 
@@ -38,6 +38,9 @@ pub(super) fn mechanics(
     for limits in values(&written.limits) {
         check.limits(&limits.value);
     }
+    if let Some(kind) = &written.kind {
+        check.contradictions(kind, written);
+    }
 }
 
 struct Check<'a> {
@@ -58,10 +61,56 @@ fn values<T>(quantity: &PerCoordinate<T>) -> Vec<&Spanned<T>> {
     }
 }
 
+/// Where a quantity is given first.
+fn first<T>(quantity: &PerCoordinate<T>) -> Option<Span> {
+    values(quantity).first().map(|value| value.span)
+}
+
 impl Check<'_> {
     fn fault(&mut self, message: String, span: Span, label: &str) {
         self.findings
             .push(Diagnostic::error(message).at(span, label));
+    }
+
+    /// What is said of a motion that the joint's name excludes.
+    fn contradictions(&mut self, kind: &Spanned<JointKind>, written: &WrittenJoint) {
+        let mut refuse = |span: Span, fault: String, help: &str| {
+            let fault = Diagnostic::error(fault)
+                .at(span, "not expected")
+                .at(kind.span, "this joint");
+            self.findings.push(fault.help(help));
+        };
+        let name = self.name;
+        match kind.value {
+            JointKind::Fixed => {
+                let given = [
+                    ("stiffness", first(&written.stiffness)),
+                    ("rest", first(&written.rest)),
+                    ("damping", first(&written.damping)),
+                    ("armature", first(&written.armature)),
+                    ("friction", first(&written.friction)),
+                    ("limits", first(&written.limits)),
+                    ("mimic", written.mimic.as_ref().map(|mimic| mimic.span)),
+                ];
+                for (key, span) in given {
+                    let Some(span) = span else { continue };
+                    let fault = format!("`{key}` of {name} is given, but its joint is fixed");
+                    refuse(span, fault, &format!("leave `{key}` out"));
+                }
+            }
+            JointKind::Continuous => {
+                for limits in values(&written.limits) {
+                    let Limits { lower, upper, .. } = &limits.value;
+                    for (key, limit) in [("lower", lower), ("upper", upper)] {
+                        let Some(limit) = limit else { continue };
+                        let fault =
+                            format!("`limits` of {name} has `{key}`, but its joint is continuous");
+                        refuse(limit.span, fault, "a joint with such limits is `revolute`");
+                    }
+                }
+            }
+            _ => {}
+        }
     }
 
     /// Every coordinate that a quantity names is free.

@@ -324,6 +324,8 @@ fn calls_of_what_is_not_there_are_refused() {
     };
     let fault = each_call(&|helper, _| *helper += 1_000);
     assert!(matches!(fault, Fault::NoHelper(_)), "{fault}");
+    let fault = each_call(&|_, sides| *sides = 1_000);
+    assert_eq!(fault, Fault::NoArgument(1_000));
     // What the function is given, and not what it has filled.
     let fault = each_call(&|_, sides| *sides = 0);
     assert!(matches!(fault, Fault::Unfit(_)), "{fault}");
