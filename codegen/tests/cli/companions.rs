@@ -191,14 +191,20 @@ fn manifest_with_line_ends_of_another_system_is_still_ours() {
 fn standard_output_takes_the_module_alone() {
     let project = generated();
     let arguments = ["generate", "models/arm.toml", "--output", "-"];
-    let ran = project.kane(
-        &[
-            &arguments[..],
-            &["--functions", "mass_matrix,bias", "--manifest"],
-        ]
-        .concat(),
-    );
+    let functions = ["--functions", "mass_matrix,bias"];
+    let ran = project.kane(&[&arguments[..], &functions].concat());
     assert_eq!((ran.code, ran.out), (0, project.read("generated/arm.rs")));
+    let beside = ["--manifest", "--with-tests", "--abi", "c"];
+    let ran = project.kane(&[&arguments[..], &beside].concat());
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    for option in ["--manifest", "--with-tests", "--abi"] {
+        let fault = format!(
+            "error: {option} writes beside the module, and standard output takes it alone; name a file with --output"
+        );
+        assert!(ran.err.contains(&fault), "{}", ran.err);
+    }
+    let ran = project.kane(&[&arguments[..], &["--manifest=false"]].concat());
+    assert_eq!(ran.code, 0, "{}", ran.err);
 }
 
 #[test]

@@ -334,3 +334,67 @@ fn functions_of_frames_are_among_those_that_may_be_meant() {
     assert_eq!(ran.code, 2);
     assert!(ran.err.contains("did you mean `jacobian`?"), "{}", ran.err);
 }
+
+#[test]
+fn what_is_asked_for_and_what_is_changed_are_told_together() {
+    let project = Project::arm();
+    let arguments = [
+        "generate",
+        "models/arm.toml",
+        "--functions",
+        "pose(hand), bais",
+        "--lock",
+        "elbow=1",
+        "--prescribed",
+        "wrist",
+    ];
+    let told = |arguments: &[&str], expected: &[&str]| {
+        let ran = project.kane(arguments);
+        assert_eq!(ran.code, 2);
+        for fault in expected {
+            assert!(ran.err.contains(fault), "{fault}: {}", ran.err);
+        }
+    };
+    let lacking = [
+        "`hand` is no frame of the model",
+        "`lock` names `elbow`",
+        "`wrist` is no joint of the model",
+    ];
+    told(
+        &arguments,
+        &[&lacking[..], &["`bais` is no function"]].concat(),
+    );
+    let mut known = arguments;
+    known[3] = "pose(hand)";
+    told(&known, &lacking);
+}
+
+#[test]
+fn what_kane_toml_asks_for_and_the_model_lacks_is_told_there() {
+    let project = Project::arm();
+    project.write(
+        "kane.toml",
+        "[[system]]\nmodel = \"models/arm.toml\"\noutput = \"arm.rs\"\nfunctions = [\"bias\", \"own = pose(hand)\"]\n",
+    );
+    for arguments in [
+        &["info", "models/arm.toml"][..],
+        &["eval", "models/arm.toml", "--function", "own"],
+    ] {
+        let ran = project.kane(arguments);
+        assert_eq!(ran.code, 2);
+        for part in ["`hand` is no frame of the model", "--> kane.toml:4:"] {
+            assert!(ran.err.contains(part), "{}", ran.err);
+        }
+    }
+    let ran = project.kane(&["info", "models/arm.toml", "--functions", "pose(hand)"]);
+    assert!(!ran.err.contains("kane.toml"), "{}", ran.err);
+    project.write("other.toml", &project.read("models/arm.toml"));
+    let ran = project.kane(&["diff", "other.toml", "models/arm.toml"]);
+    let fault = "`other.toml`: `hand` is no frame of the model";
+    assert!(ran.err.contains(fault), "{}", ran.err);
+    assert!(
+        ran.err.contains("`kane.toml` has the options"),
+        "{}",
+        ran.err
+    );
+}

@@ -7,7 +7,6 @@ use std::path::Path;
 use clap::Args;
 use kane_codegen::{
     config::Named,
-    error::Error,
     functions::Parsed,
     options::{Formulation, Functions, Options},
     recursive::Technique,
@@ -83,21 +82,16 @@ impl OptionsArguments {
         })
     }
 
-    /// What the model lacks of that, beside names that are none. What is wrong with the model itself waits until they are right.
+    /// What is wrong with the model, and what it lacks of that, beside names that are none.
     pub(crate) fn lacking(&self, model: &Path) -> Failures {
         let asked = self.functions.as_deref().unwrap_or_default();
-        let job = listed::looked_at(model, &self.changes, asked);
-        let checked = job.and_then(|job| job.checked());
-        let mut failures = Failures::default();
-        if let Ok(checked) = checked {
-            let requests = names(asked)
-                .into_iter()
-                .filter_map(|name| Parsed::read(name).ok());
-            for request in requests {
-                failures.keep(request.on(&checked.tree).map_err(Error::Requests));
-            }
-        }
-        failures
+        let Ok(mut job) = listed::looked_at(model, &self.changes, asked) else {
+            return Failures::default();
+        };
+        let known = names(asked).into_iter();
+        let known = known.filter(|name| Parsed::read(name).is_ok());
+        job.options.functions = Functions::Named(known.map(str::to_owned).collect());
+        job.check_model().err().unwrap_or_default()
     }
 
     /// The same arguments, as words of a command.

@@ -1,11 +1,13 @@
 //! Why nothing can be generated: each fault at its place, in the model or in the `kane.toml` that lists it.
 
 use kane_codegen::{
+    description,
     diagnostic::{Diagnostic, Diagnostics, Source},
     error::Error,
+    tree::{self, Changes, Checked},
 };
 
-use super::{Job, Listing};
+use super::{Job, Listing, include, read};
 use crate::cli::Failures;
 
 impl Job {
@@ -48,6 +50,34 @@ impl Job {
             }
             error => error.into(),
         }
+    }
+
+    /// Reasons, and what else cannot be had.
+    pub(super) fn with_lacking(&self, mut reasons: Failures) -> Failures {
+        reasons.add(self.lacking());
+        reasons
+    }
+
+    /// What is asked for and cannot be had, whatever is wrong with the changes: as of the model without them.
+    pub(crate) fn lacking(&self) -> Failures {
+        let mut failures = Failures::default();
+        let Ok(source) = read(&self.model) else {
+            return failures;
+        };
+        let description = description::read(&source, &self.options.reading, &include(&self.model));
+        let unchanged = Changes {
+            remove_massless: self.options.changes.remove_massless,
+            ..Changes::default()
+        };
+        let Ok(Checked { tree, .. }) = tree::build_with(&description, &unchanged) else {
+            return failures;
+        };
+        let requests = self.options.requests(&tree).map_err(Error::Requests);
+        failures.keep(requests.map_err(|error| self.explained(error)));
+        let prescribed = tree::prescribe(&description, tree, &self.options.prescribed);
+        let prescribed = prescribed.map_err(Error::Prescribed);
+        failures.keep(prescribed.map_err(|error| self.explained(error)));
+        failures
     }
 
     /// What is wrong with the model, and with what is changed of it, at its place where it has one.

@@ -105,7 +105,9 @@ impl Job {
 
     /// The same, and checks what is asked of it, without generating anything.
     pub(crate) fn check_model(&self) -> Result<(), Failures> {
-        let Model { tree, .. } = self.checked()?;
+        let Model { tree, .. } = self
+            .checked()
+            .map_err(|failures| self.with_lacking(failures))?;
         let requests = self.options.requests(&tree);
         requests.map_err(|faults| self.explained(Error::Requests(faults)))?;
         Ok(())
@@ -208,5 +210,5 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
     let source = read(&job.model).map_err(|error| job.unreadable(error))?;
     let include = include(&job.model);
     let generated = generate::generate(&source, &job.shown, &job.options, &include);
-    generated.map_err(|error| job.explained(error))
+    generated.map_err(|error| job.with_lacking(job.explained(error)))
 }
