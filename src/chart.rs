@@ -120,7 +120,8 @@ pub fn convert<From: System<f64>, To: System<f64>>(
             return Err(other);
         };
         let moving = |joint: &Joint| joint.u.map(|place| place.is_some());
-        if from.name != to.name || moving(from) != moving(to) {
+        let are_alike = from.name == to.name && moving(from) == moving(to);
+        if !are_alike || !has_its_places::<From>(from) || !has_its_places::<To>(to) {
             return Err(other);
         }
         // What stands at other places than the orientation is copied, and that too in the same chart.
@@ -143,6 +144,12 @@ pub fn convert<From: System<f64>, To: System<f64>>(
         }
     }
     Ok((to_q, to_u))
+}
+
+/// True for a joint of which all places are in `q` and `u`.
+fn has_its_places<S: System<f64>>(joint: &Joint) -> bool {
+    let (mut of_q, mut of_u) = (joint.q.iter().flatten(), joint.u.iter().flatten());
+    of_q.all(|&place| place < S::Q::LEN) && of_u.all(|&place| place < S::U::LEN)
 }
 
 fn three<T: Copy>(places: &[Option<T>]) -> Option<[T; 3]> {

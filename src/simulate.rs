@@ -7,6 +7,7 @@
 //! times closer than its own steps cost a step each. It is not for stiff systems, and reports them. At a discontinuity of
 //! the control law its steps become tiny: simulate up to it and restart there.
 
+use core::cell::RefCell;
 use core::error::Error;
 use core::fmt;
 use std::vec::Vec;
@@ -148,7 +149,7 @@ pub fn simulate<S: ForwardDynamics<f64>>(
     system: &S,
     q: &S::Q,
     u: &S::U,
-    control: impl Fn(f64, &S::Q, &S::U, &mut S::U),
+    control: impl FnMut(f64, &S::Q, &S::U, &mut S::U),
     times: &[f64],
     tolerance: &Tolerance,
 ) -> Result<Samples<S>, SimulateError> {
@@ -156,7 +157,10 @@ pub fn simulate<S: ForwardDynamics<f64>>(
     let (Some(&start), Some(&end)) = (times.first(), times.last()) else {
         return Ok(Vec::new());
     };
-    let motion = Motion { system, control };
+    let motion = Motion {
+        system,
+        control: RefCell::new(control),
+    };
     let initial = Point { q: *q, u: *u };
     if !motion.is_finite_at(start, &initial) {
         return Err(SimulateError::NotFinite { t: start });
@@ -261,13 +265,14 @@ fn error<Y: State<f64>>(
 /// The differential equation of a controlled system.
 struct Motion<'a, S, C> {
     system: &'a S,
-    control: C,
+    /// The integrator has the equation shared; it takes one derivative at a time.
+    control: RefCell<C>,
 }
 
 impl<S, C> Motion<'_, S, C>
 where
     S: ForwardDynamics<f64>,
-    C: Fn(f64, &S::Q, &S::U, &mut S::U),
+    C: FnMut(f64, &S::Q, &S::U, &mut S::U),
 {
     fn is_finite_at(&self, t: f64, point: &Point<S::Q, S::U>) -> bool {
         let mut rate = *point;
@@ -279,11 +284,11 @@ where
 impl<S, C> ODE<f64, Point<S::Q, S::U>> for Motion<'_, S, C>
 where
     S: ForwardDynamics<f64>,
-    C: Fn(f64, &S::Q, &S::U, &mut S::U),
+    C: FnMut(f64, &S::Q, &S::U, &mut S::U),
 {
     fn diff(&self, t: f64, point: &Point<S::Q, S::U>, rate: &mut Point<S::Q, S::U>) {
         let mut tau = S::U::filled(0.0);
-        (self.control)(t, &point.q, &point.u, &mut tau);
+        (self.control.borrow_mut())(t, &point.q, &point.u, &mut tau);
         self.system.q_dot(&point.q, &point.u, &mut rate.q);
         self.system
             .forward_dynamics(&point.q, &point.u, &tau, &mut rate.u);

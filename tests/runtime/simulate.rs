@@ -285,6 +285,24 @@ fn too_few_steps_are_reported_with_the_time_reached() {
 }
 
 #[test]
+fn a_control_law_may_keep_a_state_of_its_own() {
+    let system = Oscillator { stiffness: 1.0 };
+    let mut calls = 0;
+    let law = |_: f64, _: &[f64; 1], _: &[f64; 1], _: &mut [f64; 1]| calls += 1;
+    simulate(
+        &system,
+        &[1.0],
+        &[0.0],
+        law,
+        &[0.0, 1.0],
+        &Tolerance::default(),
+    )
+    .unwrap();
+    // Twelve stages a step.
+    assert!(calls > 12, "{calls}");
+}
+
+#[test]
 fn a_motion_that_is_not_finite_is_reported() {
     assert_eq!(
         failure(&[3.0, 4.0], Tolerance::default(), f64::NAN),

@@ -17,3 +17,4 @@ pub mod factor;
 pub mod hoist;
 mod rebuild;
 pub mod sines;
+mod theorems;

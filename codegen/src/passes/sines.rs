@@ -5,7 +5,10 @@
 
 use std::collections::BTreeMap;
 
-use super::rebuild::Rebuilt;
+use super::{
+    rebuild::Rebuilt,
+    theorems::{of_angle, of_sum, without_crumb},
+};
 use crate::{
     expr::{Binding, Expr, ExprGraph, Input, Node, NodeId},
     id::CoordinateId,
@@ -125,24 +128,5 @@ impl Pairs<'_> {
             }
             _ => None,
         }
-    }
-}
-
-pub(super) fn of_angle(graph: &mut ExprGraph, angle: Expr) -> [Expr; 2] {
-    [graph.sin(angle), graph.cos(angle)]
-}
-
-/// `sin(a + b) = sin a cos b + cos a sin b`, `cos(a + b) = cos a cos b - sin a sin b`.
-pub(super) fn of_sum(graph: &mut ExprGraph, [s, c]: [Expr; 2], [t, d]: [Expr; 2]) -> [Expr; 2] {
-    let [first, second, third, fourth] =
-        [(s, d), (c, t), (c, d), (s, t)].map(|(a, b)| graph.mul(a, b));
-    [graph.add(first, second), graph.sub(third, fourth)]
-}
-
-/// A sine or cosine, zero where it is so but for rounding, as that of a right angle is.
-pub(super) fn without_crumb(graph: &mut ExprGraph, entry: Expr) -> Expr {
-    match graph.as_number(entry) {
-        Some(number) if number.abs() < f64::EPSILON => graph.zero(),
-        _ => entry,
     }
 }

@@ -83,13 +83,12 @@ pub(crate) fn run(
         opt_level: arguments.opt_level,
         target_cpu: arguments.target_cpu.clone(),
     };
-    let root = match &arguments.kane {
-        Some(folder) => folder.join("src/lib.rs"),
-        None => {
-            // Where the package of a module is unknown, that it is not there is the reason.
-            let root = depended_on(&arguments.modules[0]);
-            root.map_err(|unknown| check_modules(&arguments.modules).err().unwrap_or(unknown))?
-        }
+    let root = if let Some(folder) = &arguments.kane {
+        folder.join("src/lib.rs")
+    } else {
+        // Where the package of a module is unknown, that it is not there is the reason.
+        let root = depended_on(&arguments.modules[0]);
+        root.map_err(|unknown| check_modules(&arguments.modules).err().unwrap_or(unknown))?
     };
     let runtime = Runtime::new(&root, &options)?;
     let all = arguments.modules.iter();

@@ -7,7 +7,7 @@ use crate::{
     expr::{Expr, ExprGraph, NodeId},
     passes::{
         rebuild::Rebuilt,
-        sines::{of_angle, of_sum, without_crumb},
+        theorems::{of_angle, of_sum, without_crumb},
     },
 };
 

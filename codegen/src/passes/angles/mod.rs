@@ -9,7 +9,7 @@ mod sum;
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::{follows::Follows, span::Span, sum::Sum};
-use super::{rebuild::Rebuilt, sines::of_angle};
+use super::{rebuild::Rebuilt, theorems::of_angle};
 use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
 
 /// The graph with as few sines as that, and its roots.

@@ -43,6 +43,7 @@ use crate::cli::{
     gravity_compensation (the fraction of its weight that is compensated, nominal; absent: none)\n  \
     coordinates     place (in q), name, body, kind (theta1 .. theta3, e0 .. e3, s1 .. s3), unit\n  \
     speeds          names, in the order of u\n  \
+    limits          lower, upper (of coordinates), velocity, effort, friction (of speeds); null: none\n  \
     frames          fixed bodies, each part of another: name, body (0: inertial frame), rotation (by rows, from the\n                  \
     body's axes), position (m, nominal)\n  \
     markers         frames that only mark places, same keys as frames; absent if there are none\n  \
