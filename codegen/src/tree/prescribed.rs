@@ -3,10 +3,10 @@
 //! In: the tree of a description, and names of joints or of their bodies. Out: the tree with the speeds of these joints
 //! [prescribed](Tree::prescribed). Does not: change anything else of it.
 
-use crate::diagnostic::Escaped;
 use std::collections::BTreeMap;
 
 use crate::description::{Description, WrittenBody};
+use crate::diagnostic::Escaped;
 use crate::tree::names::{self, joint_named};
 use crate::tree::system::Tree;
 

@@ -393,7 +393,7 @@ fn what_kane_toml_asks_for_and_the_model_lacks_is_told_there() {
     let fault = "`other.toml`: `hand` is no frame of the model";
     assert!(ran.err.contains(fault), "{}", ran.err);
     assert!(
-        ran.err.contains("`kane.toml` has the options"),
+        ran.err.contains("the options are those of `kane.toml`"),
         "{}",
         ran.err
     );

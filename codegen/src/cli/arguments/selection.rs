@@ -244,9 +244,7 @@ impl Selection {
         }
         Ok(jobs)
     }
-}
 
-impl Selection {
     /// Standard output takes the module alone.
     fn check_alone(&self) -> Result<(), Failures> {
         let switches = self.switches();

@@ -59,7 +59,7 @@ impl Job {
     }
 
     /// What is asked for and cannot be had, whatever is wrong with the changes: as of the model without them.
-    pub(crate) fn lacking(&self) -> Failures {
+    fn lacking(&self) -> Failures {
         let mut failures = Failures::default();
         let Ok(source) = read(&self.model) else {
             return failures;

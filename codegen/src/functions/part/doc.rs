@@ -1,12 +1,14 @@
 //! What the documentation of a generated function says of a part.
 
-use crate::diagnostic::Escaped;
 use std::collections::BTreeMap;
 
 use super::Part;
-use crate::functions::{
-    function::Output,
-    subject::{Subject, View},
+use crate::{
+    diagnostic::Escaped,
+    functions::{
+        function::Output,
+        subject::{Subject, View},
+    },
 };
 
 impl Part {

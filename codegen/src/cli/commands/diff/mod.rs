@@ -229,7 +229,7 @@ fn explained(side: &Side, config: Option<&Path>, error: Error) -> Failures {
         _ => return error.into(),
     };
     let origin = config.map_or_else(String::new, |config| {
-        format!("; `{}` has the options", config.display())
+        format!("; the options are those of `{}`", config.display())
     });
     let mut failures = Failures::default();
     for reason in reasons {

@@ -1,8 +1,8 @@
 //! JSON in which no object has a key twice: of two values for one key, none is taken for the one that was meant.
 
-use kane_codegen::diagnostic::Escaped;
 use std::fmt;
 
+use kane_codegen::diagnostic::Escaped;
 use serde_core::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
 
