@@ -4,11 +4,11 @@ use std::{env, error::Error, fs, path::Path};
 
 use kane_codegen::{
     build_script::Build,
-    compile::Options,
     config::Functions,
     description::{self, Base, Reading, Scalar, no_includes, toml},
     diagnostic::Source,
     generate::generate,
+    options::Options,
     output::{self, Overwrite},
 };
 
