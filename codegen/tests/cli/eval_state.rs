@@ -41,18 +41,29 @@ fn places_may_be_named() {
         r#"{"q": {"fore_theta": 0.3}, "u": {"fore": [1], "upper_s2": 1, "upper_s2_dot": 2}}"#,
     );
     assert_eq!(ran.code, 2);
-    insta::assert_snapshot!(ran.err, @"
+    insta::assert_snapshot!(ran.err, @r#"
     error: `q.fore_theta` names none of the coordinates
-    --> state.json
-     = help: did you mean `fore_theta2`?
+     --> state.json:1:8
+      |
+    1 | {"q": {"fore_theta": 0.3}, "u": {"fore": [1], "upper_s2": 1, "upper_s2_dot": 2}}
+      |        ^^^^^^^^^^^^ here
+      |
+      = help: did you mean `fore_theta2`?
 
     error: `u.fore` names none of the speeds
-    --> state.json
-     = help: the speeds are upper_theta1, upper_s2, fore_theta2
+     --> state.json:1:34
+      |
+    1 | {"q": {"fore_theta": 0.3}, "u": {"fore": [1], "upper_s2": 1, "upper_s2_dot": 2}}
+      |                                  ^^^^^^ here
+      |
+      = help: the speeds are upper_theta1, upper_s2, fore_theta2
 
     error: `u.upper_s2_dot` is `upper_s2` by another name; expected one
-    --> state.json
-    ");
+     --> state.json:1:62
+      |
+    1 | {"q": {"fore_theta": 0.3}, "u": {"fore": [1], "upper_s2": 1, "upper_s2_dot": 2}}
+      |                                                              ^^^^^^^^^^^^^^ here
+    "#);
 }
 
 #[test]
@@ -196,4 +207,19 @@ fn a_frame_s_rotation_that_is_none_is_told() {
     assert!(ran("pose(tool)", -1.0).starts_with("warning: the rotation of frame `tool` is none;"));
     assert_eq!(ran("pose(tool)", 1.0), "");
     assert_eq!(ran("rotation", 2.0), "");
+}
+
+#[test]
+fn a_key_is_shown_whatever_quotes_it_holds() {
+    let ran = arm("bias", r#"{"q": {"a\\\"b" : 1}, "u": {}}"#);
+    assert_eq!(ran.code, 2);
+    insta::assert_snapshot!(ran.err, @r#"
+    error: `q.a\\"b` names none of the coordinates
+     --> state.json:1:8
+      |
+    1 | {"q": {"a\\\"b" : 1}, "u": {}}
+      |        ^^^^^^^^ here
+      |
+      = help: the coordinates are upper_theta1, upper_s2, fore_theta2
+    "#);
 }

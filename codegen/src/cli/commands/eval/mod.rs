@@ -2,6 +2,7 @@
 
 mod by_name;
 mod orientations;
+mod place;
 mod state;
 mod unique;
 

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use kane_codegen::{
-    diagnostic::{Diagnostic, Diagnostics, Escaped, Faults, Severity, Source, nearest},
+    diagnostic::{Diagnostic, Diagnostics, Escaped, Faults, Severity, Source, Span, nearest},
     expr::Input,
     functions::{Argument, Dimension, Element, Function, Request, variable_elsewhere},
     id::ParameterId,
@@ -14,12 +14,15 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, error::Category};
 
-use crate::cli::commands::eval::{by_name::Places, unique::Unique};
+use crate::cli::commands::eval::{by_name::Places, place::Place, unique::Unique};
 
 /// The values of inputs.
 pub(crate) type State = BTreeMap<Input, f64>;
 
 const PARAMETERS: &str = "parameters";
+
+/// So many faults are shown where they stand: to find each, the text is read again.
+const MOST_PLACED: usize = 100;
 
 /// Reads the state of a tree, as far as the function needs it; what else the file holds must be right as well.
 ///
@@ -27,6 +30,7 @@ const PARAMETERS: &str = "parameters";
 /// Everything that is wrong with the file.
 pub(crate) fn read(source: &Source, tree: &Tree, function: &Request) -> Result<State, Diagnostics> {
     let mut reader = Reader {
+        text: source.text(),
         tree,
         state: nominal(tree),
         faults: Faults::default(),
@@ -66,14 +70,36 @@ fn nominal(tree: &Tree) -> State {
 }
 
 struct Reader<'a> {
+    text: &'a str,
     tree: &'a Tree,
     state: State,
     faults: Faults,
 }
 
 impl Reader<'_> {
+    /// What is wrong with the file.
     fn fault(&mut self, message: String) {
         self.faults.push(Diagnostic::error(message));
+    }
+
+    /// What is wrong with a value.
+    fn fault_at(&mut self, place: &Place, message: String) {
+        let fault = self.placed(Diagnostic::error(message), || place.span(self.text));
+        self.faults.push(fault);
+    }
+
+    /// What is wrong with a key.
+    fn fault_of_key(&mut self, place: &Place, fault: Diagnostic) {
+        let fault = self.placed(fault, || place.key_span(self.text));
+        self.faults.push(fault);
+    }
+
+    fn placed(&self, fault: Diagnostic, span: impl FnOnce() -> Option<Span>) -> Diagnostic {
+        let is_shown = self.faults.count() < MOST_PLACED;
+        match is_shown.then(span).flatten() {
+            Some(span) => fault.at(span, "here"),
+            None => fault,
+        }
     }
 
     fn file(&mut self, file: &Map<String, Value>, function: &Request) {
@@ -88,7 +114,7 @@ impl Reader<'_> {
         let others: BTreeSet<&str> = others.chain(Function::multipliers()).collect();
         let mut asked = file.clone();
         asked.retain(|key, _| keys.contains(&key.as_str()) || !others.contains(key.as_str()));
-        self.unknown_keys("the file", &asked, &keys);
+        self.unknown_keys(None, &asked, &keys);
         for argument in all {
             match file.get(argument.name()) {
                 Some(value) => self.argument(argument, value),
@@ -105,10 +131,13 @@ impl Reader<'_> {
         match file.get(PARAMETERS) {
             None => {}
             Some(Value::Object(values)) => self.parameters(values),
-            Some(other) => self.fault(format!(
-                "`{PARAMETERS}` is {}; expected an object of names and numbers",
-                described(other)
-            )),
+            Some(other) => self.fault_at(
+                &Place::of(PARAMETERS),
+                format!(
+                    "`{PARAMETERS}` is {}; expected an object of names and numbers",
+                    described(other)
+                ),
+            ),
         }
     }
 
@@ -126,7 +155,7 @@ impl Reader<'_> {
         let mut place = 0;
         self.array(
             argument,
-            argument.name(),
+            &Place::of(argument.name()),
             value,
             (&lengths, &expected),
             &mut place,
@@ -144,13 +173,12 @@ impl Reader<'_> {
         }
         let mut given: BTreeMap<usize, &str> = BTreeMap::new();
         for (name, value) in named {
-            let what = format!("{}.{}", argument.name(), name.escaped());
+            let what = Place::of(argument.name()).key(name);
             if let Some(place) = places.place(name) {
                 if let Some(other) = given.insert(place, name) {
                     let other = other.escaped();
-                    self.fault(format!(
-                        "`{what}` is `{other}` by another name; expected one"
-                    ));
+                    let fault = format!("`{what}` is `{other}` by another name; expected one");
+                    self.fault_of_key(&what, Diagnostic::error(fault));
                 }
                 let mut first = place * n_own;
                 self.array(argument, &what, value, (inner, &numbers(inner)), &mut first);
@@ -160,7 +188,7 @@ impl Reader<'_> {
                 // Names of speeds end in it, and are listed without.
                 let name = name.strip_suffix("_dot").unwrap_or(name);
                 let help = known_names(name, &places.names(), places.kind);
-                self.faults.push(fault.help(help));
+                self.fault_of_key(&what, fault.help(help));
             }
         }
     }
@@ -169,7 +197,7 @@ impl Reader<'_> {
     fn array(
         &mut self,
         argument: Argument,
-        what: &str,
+        what: &Place,
         value: &Value,
         (lengths, expected): (&[usize], &str),
         place: &mut usize,
@@ -183,13 +211,13 @@ impl Reader<'_> {
         };
         let expected = numbers(inner);
         for (index, item) in items.iter().enumerate() {
-            let what = format!("{what}[{index}]");
+            let what = what.index(index);
             self.array(argument, &what, item, (inner, &expected), place);
         }
     }
 
     /// One element: a number, or an object of vectors.
-    fn element(&mut self, argument: Argument, what: &str, value: &Value, place: &mut usize) {
+    fn element(&mut self, argument: Argument, what: &Place, value: &Value, place: &mut usize) {
         let vectors = argument.element().vectors();
         if vectors.is_empty() {
             self.number(what, value, argument.input(*place));
@@ -233,7 +261,7 @@ impl Reader<'_> {
     fn vectors(
         &mut self,
         argument: Argument,
-        what: &str,
+        what: &Place,
         value: &Value,
         (names, first): (&[&str], usize),
     ) {
@@ -241,28 +269,29 @@ impl Reader<'_> {
             let names = names.iter();
             let vectors: Vec<String> = names.map(|name| format!("\"{name}\": [x, y, z]")).collect();
             let (found, expected) = (described(value), vectors.join(", "));
-            return self.fault(format!("`{what}` is {found}; expected {{{expected}}}"));
+            return self.fault_at(
+                what,
+                format!("`{what}` is {found}; expected {{{expected}}}"),
+            );
         };
-        self.unknown_keys(&format!("`{what}`"), element, names);
+        self.unknown_keys(Some(what), element, names);
         for (name, place) in names.iter().zip((first..).step_by(3)) {
             match element.get(*name) {
                 Some(value) => {
-                    self.vector(&format!("{what}.{name}"), value, |axis| {
-                        argument.input(place + axis)
-                    });
+                    self.vector(&what.key(name), value, |axis| argument.input(place + axis));
                 }
-                None => self.fault(format!(
-                    "`{what}` has no `{name}`; expected {}",
-                    numbers(&[3])
-                )),
+                None => self.fault_at(
+                    what,
+                    format!("`{what}` has no `{name}`; expected {}", numbers(&[3])),
+                ),
             }
         }
     }
 
-    fn vector(&mut self, what: &str, value: &Value, input: impl Fn(usize) -> Input) {
+    fn vector(&mut self, what: &Place, value: &Value, input: impl Fn(usize) -> Input) {
         let items = self.list(what, value, &numbers(&[3]), 3);
         for (axis, item) in items.into_iter().flatten().enumerate() {
-            self.number(&format!("{what}[{axis}]"), item, input(axis));
+            self.number(&what.index(axis), item, input(axis));
         }
     }
 
@@ -274,14 +303,15 @@ impl Reader<'_> {
             .map(|parameter| parameter.name.as_str())
             .collect();
         for (name, value) in values {
+            let what = Place::of(PARAMETERS).key(name);
             if let Some(place) = names.iter().position(|known| known == name) {
                 let input = Input::Parameter(ParameterId::new(place));
-                self.number(&format!("{PARAMETERS}.{name}"), value, input);
+                self.number(&what, value, input);
             } else if !self.faults.is_full(Severity::Error) {
                 let name_shown = name.escaped();
                 let fault = format!("`{PARAMETERS}` names `{name_shown}`, which is no parameter");
                 let help = known_names(name, &names, "parameters");
-                self.faults.push(Diagnostic::error(fault).help(help));
+                self.fault_of_key(&what, Diagnostic::error(fault).help(help));
             }
         }
     }
@@ -289,7 +319,7 @@ impl Reader<'_> {
     /// The entries, if they are as many as they should be.
     fn list<'v>(
         &mut self,
-        what: &str,
+        what: &Place,
         value: &'v Value,
         expected: &str,
         length: usize,
@@ -297,36 +327,33 @@ impl Reader<'_> {
         match value {
             Value::Array(items) if items.len() == length => Some(items),
             Value::Array(items) => {
-                self.fault(format!(
-                    "`{what}` has {} {}; expected {expected}",
-                    items.len(),
-                    if items.len() == 1 { "entry" } else { "entries" }
-                ));
+                let found = count_of(items.len());
+                self.fault_at(what, format!("`{what}` has {found}; expected {expected}"));
                 None
             }
             other => {
-                self.fault(format!(
-                    "`{what}` is {}; expected {expected}",
-                    described(other)
-                ));
+                let found = described(other);
+                self.fault_at(what, format!("`{what}` is {found}; expected {expected}"));
                 None
             }
         }
     }
 
-    fn number(&mut self, what: &str, value: &Value, input: Input) {
+    fn number(&mut self, what: &Place, value: &Value, input: Input) {
         match value.as_f64() {
             Some(number) => {
                 self.state.insert(input, number);
             }
-            None => self.fault(format!(
-                "`{what}` is {}; expected a number",
-                described(value)
-            )),
+            None => self.fault_at(
+                what,
+                format!("`{what}` is {}; expected a number", described(value)),
+            ),
         }
     }
 
-    fn unknown_keys(&mut self, what: &str, object: &Map<String, Value>, known: &[&str]) {
+    /// `of` is the place of an object; `None` is the whole file.
+    fn unknown_keys(&mut self, of: Option<&Place>, object: &Map<String, Value>, known: &[&str]) {
+        let what = of.map_or_else(|| "the file".to_owned(), |of| format!("`{of}`"));
         for key in object.keys().filter(|key| !known.contains(&key.as_str())) {
             if self.faults.is_full(Severity::Error) {
                 return;
@@ -335,9 +362,16 @@ impl Reader<'_> {
             let own = variable_elsewhere(key).filter(|own| known.contains(own));
             let help = own.map(|own| format!("here it is called `{own}`"));
             let help = help.unwrap_or_else(|| known_names(key, known, "keys"));
-            self.faults.push(Diagnostic::error(fault).help(help));
+            let place = of.map_or_else(|| Place::of(key), |of| of.key(key));
+            self.fault_of_key(&place, Diagnostic::error(fault).help(help));
         }
     }
+}
+
+/// Entries of a list, in words.
+fn count_of(entries: usize) -> String {
+    let word = if entries == 1 { "entry" } else { "entries" };
+    format!("{entries} {word}")
 }
 
 /// Nested lists of numbers, in words.
