@@ -85,8 +85,18 @@
 //! | [`LinearOperationalInverseInertia`] of frames | `linear_operational_inverse_inertia(q, inverse_inertia)` | `Row`, `Rows` | `J M⁻¹ Jᵀ` |
 //! | [`Imu`] of a frame | `imu(q, u, u_dot, specific_force, angular_velocity)` | `[R; 3]`, `[R; 3]` | before (33) |
 //!
-//! Derivatives of forward and inverse dynamics have traits too: [`ForwardDynamicsDerivatives`] (by `q`, `u`, `tau`), `..AndDerivatives`,
-//! `..ByParameters`, `..Jvp`, `..Vjp`, `..ParametersJvp`, `..ParametersVjp`, and the same for inverse dynamics. Each names its request.
+//! Derivatives of forward and inverse dynamics have traits too. Each names its request:
+//!
+//! | derivatives | of forward dynamics | of inverse dynamics |
+//! | --- | --- | --- |
+//! | by `q`, `u`, and `tau` or `u_dot` | [`ForwardDynamicsDerivatives`] | [`InverseDynamicsDerivatives`] |
+//! | the same, with the values | [`ForwardDynamicsAndDerivatives`] | [`InverseDynamicsAndDerivatives`] |
+//! | times a direction | [`ForwardDynamicsJvp`] | [`InverseDynamicsJvp`] |
+//! | a multiplier times these | [`ForwardDynamicsVjp`] | [`InverseDynamicsVjp`] |
+//! | by the parameters | [`ForwardDynamicsByParameters`] | [`InverseDynamicsByParameters`] |
+//! | times a direction, of the parameters too | [`ForwardDynamicsParametersJvp`] | [`InverseDynamicsParametersJvp`] |
+//! | a multiplier times these | [`ForwardDynamicsParametersVjp`] | [`InverseDynamicsParametersVjp`] |
+//!
 //! Those with `Parameters` in their names need a [`Parametric`](crate::Parametric) system, which makes systems from arrays of values.
 //!
 //! ```

@@ -31,7 +31,7 @@ use pipeline::Lowering;
 
 use crate::{
     error::Error,
-    functions::{CompactBlock, Formulation, Request},
+    functions::{CompactBlock, Formulation, PREPARED_NEW, Request},
     options::Options,
     passes::hoist::Preparation,
     program::{self, Operations, Program},
@@ -107,12 +107,12 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     }
     if preparation.graph.overflowed() {
         return Err(Error::Unrepresentable {
-            what: "Prepared::new".to_owned(),
+            what: PREPARED_NEW.to_owned(),
         });
     }
     let fields = fields::names(&preparation, tree);
     let preparation = program::flatten(&preparation.graph, &preparation.roots());
-    verify(&preparation, "Prepared::new")?;
+    verify(&preparation, PREPARED_NEW)?;
     Ok(Compiled {
         preparation,
         fields,

@@ -55,7 +55,10 @@ pub use shape::{
     Dimension, Element, Length, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
     Shape,
 };
-pub use signature::{Access, Declared, HELPER_INFIX, PREPARED, SIN_COS, STAGE_INFIX, Signature};
+pub use signature::{
+    Access, Declared, HELPER_INFIX, NOMINAL, PREPARE, PREPARED, PREPARED_NEW, SIN_COS, STAGE_INFIX,
+    Signature,
+};
 pub use subject::{Subject, SubjectFrame, View};
 pub use unit::{BySpeed, FORCE, SPEED, Unit};
 pub use variable::{PARAMETER_NAMES, PARAMETERS, Variable};

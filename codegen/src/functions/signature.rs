@@ -17,6 +17,12 @@ use super::{
 pub const PREPARED: &str = "p";
 /// The argument with sines and cosines, and the function that writes it.
 pub const SIN_COS: &str = "sin_cos";
+/// The function that writes nominal parameters, in C.
+pub const NOMINAL: &str = "nominal";
+/// The function that prepares parameters, in C.
+pub const PREPARE: &str = "prepare";
+/// The same in Rust.
+pub const PREPARED_NEW: &str = "Prepared::new";
 
 /// What stands between the name of a function and the number of a stage.
 pub const STAGE_INFIX: &str = "_stage_";

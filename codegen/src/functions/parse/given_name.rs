@@ -4,7 +4,7 @@ use super::{request_error::RequestError, syntax::Word};
 use crate::{
     functions::{
         function::Function,
-        signature::{HELPER_INFIX, SIN_COS, STAGE_INFIX},
+        signature::{HELPER_INFIX, NOMINAL, PREPARE, SIN_COS, STAGE_INFIX},
     },
     words::{C_STRUCTURES, is_rust_keyword},
 };
@@ -13,7 +13,7 @@ use crate::{
 const LONGEST_NAME: usize = 64;
 
 /// The functions that generated modules, and C's headers, have beside those that are asked for.
-const TAKEN: [&str; 3] = [SIN_COS, "prepare", "nominal"];
+const TAKEN: [&str; 3] = [SIN_COS, PREPARE, NOMINAL];
 
 /// What the names of stages and helpers have.
 const INFIXES: [&str; 2] = [STAGE_INFIX, HELPER_INFIX];

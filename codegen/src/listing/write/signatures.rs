@@ -1,11 +1,13 @@
 //! How functions are declared that a module has whatever is asked for.
 
-use crate::functions::{Argument, Declared, Element, PARAMETERS, PREPARED, SIN_COS, Signature};
+use crate::functions::{
+    Argument, Declared, Element, NOMINAL, PARAMETERS, PREPARE, PREPARED, SIN_COS, Signature,
+};
 
 /// Of nominal parameters.
 pub(super) fn nominal() -> Signature {
     Signature {
-        name: "nominal".to_owned(),
+        name: NOMINAL.to_owned(),
         doc: vec!["The model's nominal parameters.".to_owned()],
         tables: Vec::new(),
         arguments: vec![Declared::written(PARAMETERS, Element::Parameters)],
@@ -16,7 +18,7 @@ pub(super) fn nominal() -> Signature {
 pub(super) fn prepare() -> Signature {
     let doc = "Whatever depends on parameters alone: computed once, outside the control loop.";
     Signature {
-        name: "prepare".to_owned(),
+        name: PREPARE.to_owned(),
         doc: vec![doc.to_owned()],
         tables: Vec::new(),
         arguments: vec![

@@ -9,7 +9,7 @@ use super::{
     text::{allow_generated, allow_unused, doc, ident},
 };
 use crate::{
-    functions::CompactBlock,
+    functions::{CompactBlock, PREPARE, PREPARED_NEW},
     listing::{BaseTerm, Constant, Data, Frame, Function, Joint},
     program::Operations,
 };
@@ -96,7 +96,7 @@ fn list(
 
 fn cost(function: &Function) -> TokenStream {
     let name = match function.signature.name.as_str() {
-        "prepare" => "Prepared::new",
+        PREPARE => PREPARED_NEW,
         name => name,
     };
     let Operations {

@@ -10,7 +10,7 @@ use super::{
     text::{banner, doc, ident, printed},
 };
 use crate::{
-    functions::{Access, Element, Length, Signature},
+    functions::{Access, Element, Length, NOMINAL, PREPARE, Signature},
     listing::Module,
     printers::c::rules::{RULES, SCALARS, symbol},
 };
@@ -86,8 +86,8 @@ fn function(signature: &Signature, module: &str, scalar: &str) -> Item {
     });
     let (name, module) = (ident(&name(scalar)), ident(module));
     let body = match signature.name.as_str() {
-        "nominal" => quote!(parameters.write(Parameters::default());),
-        "prepare" => quote!(p.write(Prepared::new(&*parameters));),
+        NOMINAL => quote!(parameters.write(Parameters::default());),
+        PREPARE => quote!(p.write(Prepared::new(&*parameters));),
         _ => quote!(super::#module::#own(#(#passed),*);),
     };
     parse_quote! {
