@@ -7,10 +7,10 @@ use std::collections::BTreeSet;
 
 use arbitrary::Unstructured;
 use kane_codegen::companions;
-use kane_codegen::options::Options;
 use kane_codegen::config::{Formulation, Functions};
 use kane_codegen::description::{Base, Chart, Reading};
 use kane_codegen::functions::CATALOGUE;
+use kane_codegen::options::Options;
 use kane_codegen::recursive::Technique;
 use kane_codegen::tree::Changes;
 use kane_test_support::promises::{self, Files};
