@@ -443,7 +443,8 @@ function_traits! {
 
 /// Momentum of all bodies about their mass centre per unit of each speed, inertial components, `[component][speed]`.
 ///
-/// Linear momentum, kg m/s, and angular momentum, kg m²/s, are these matrices times `u`. Often called the CMM, `A_G`.
+/// Linear momentum, kg m/s, and angular momentum, kg m²/s, are these matrices times `u`: entries are in kg and kg m for a speed in
+/// m/s, in kg m and kg m² for one in rad/s. Often called the CMM, `A_G`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `centroidal_momentum_matrix`; name it in `functions` and generate again"
 )]

@@ -123,7 +123,7 @@ pub trait JacobianDotU<R: Real, F>: System<R> {
 
 /// Generalized forces of a wrench on the frame `F`: the transposed [`Jacobian`] times the wrench, N m and N.
 ///
-/// The force, N, acts at the frame's origin; force and moment are in inertial components, or for [`Local`] along the
+/// The force, N, acts at the frame's origin; it and the moment, N m, are in inertial components, or for [`Local`] along the
 /// frame's own axes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `generalized_force(FRAME)` for `{F}`; name it in `functions` and generate again"

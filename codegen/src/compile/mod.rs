@@ -21,7 +21,7 @@ mod sweeps;
 pub use cheapest::cheapest;
 pub use choose::{Choice, choose, of_formulation};
 pub(crate) use in_vain::warnings;
-pub(crate) use notes::have_a_chance as notes_have_a_chance;
+pub(crate) use notes::cost_no_more as notes_cost_no_more;
 pub(crate) use option_check::check as check_options;
 pub use planned::{Planned, by_plan, cost, operations};
 pub use plans::Plans;

@@ -36,9 +36,19 @@ pub(super) fn instead_of(
         .flatten()
 }
 
+/// True where [`instead_of`] gives the notes, which need these operations, beside a recursion that needs those.
+pub(crate) fn cost_no_more(
+    tree: &Tree,
+    request: &Request,
+    notes: Operations,
+    recursive: Operations,
+) -> bool {
+    have_a_chance(tree, request, recursive) && cost(request, notes) <= cost(request, recursive)
+}
+
 /// True where the function is derived by the notes beside the recursion, which needs these operations: on a large tree the literal sums
 /// alone would take longer than all the rest.
-pub(crate) fn have_a_chance(tree: &Tree, request: &Request, recursive: Operations) -> bool {
+fn have_a_chance(tree: &Tree, request: &Request, recursive: Operations) -> bool {
     let (count, terms) = (recursive.total(), request.literal_terms(tree));
     terms <= MANY_TERMS.max(count)
         && !(request.differentiates() && derivatives_take_long(tree, request, count))

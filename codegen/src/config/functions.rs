@@ -3,8 +3,8 @@
 use crate::{
     description::toml_reader::{Reader, Table, span},
     diagnostic::{Diagnostic, Escaped, Spanned},
-    functions::{Parsed, RequestError, advice},
-    options::{ALL, Functions, is_in_all, is_set},
+    functions::{ALL, Parsed, RequestError, advice, is_set},
+    options::{Functions, is_in_all},
 };
 
 /// The functions that a system names, where they stand.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::{
-    functions::{Function, Parsed, Request, RequestError},
+    functions::{ALL, DEFAULT, Function, Parsed, Request, RequestError, is_set},
     tree::Tree,
 };
 
@@ -17,11 +17,6 @@ pub enum Functions {
     /// These, in the order written.
     Named(Vec<String>),
 }
-
-/// What stands for all functions of the system.
-pub const ALL: &str = "all";
-/// What stands for the default set.
-pub const DEFAULT: &str = "default";
 
 impl Default for Functions {
     fn default() -> Self {
@@ -103,11 +98,6 @@ impl Functions {
         };
         self.set_has(function) || self.named().iter().any(is_named)
     }
-}
-
-/// True for a name that stands for several functions.
-pub fn is_set(name: &str) -> bool {
-    [ALL, DEFAULT].contains(&name)
 }
 
 /// True for what `all` has: whoever names both has mistaken one of them.

@@ -18,7 +18,7 @@ use std::{
 };
 
 pub use formulation::Formulation;
-pub use functions::{ALL, DEFAULT, Functions, is_in_all, is_set};
+pub use functions::{Functions, is_in_all};
 
 use crate::{
     description::Reading,

@@ -5,12 +5,12 @@
 
 use crate::{
     description::{Base, Chart, Reading},
-    functions::Parsed,
+    functions::{ALL, DEFAULT, Parsed},
     recursive::Technique,
     tree::Changes,
 };
 
-use super::{ALL, DEFAULT, Formulation, Functions, Options};
+use super::{Formulation, Functions, Options};
 
 impl Options {
     /// All that can influence the module. What is written beside it cannot.

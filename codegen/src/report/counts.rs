@@ -69,7 +69,7 @@ fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
     }
 }
 
-/// The formulation that [`compile::choose`] takes: of equals the first.
+/// The formulation that [`compile::choose`] takes.
 fn cheapest(
     tree: &Tree,
     function: &Request,
@@ -77,16 +77,18 @@ fn cheapest(
 ) -> Option<Formulation> {
     let of = |wanted| {
         let mut formulations = formulations.iter();
-        formulations.find(|(formulation, _)| *formulation == wanted)
+        let found = formulations.find(|(formulation, _)| *formulation == wanted);
+        found.map(|(_, operations)| *operations)
     };
-    let recursive = of(Formulation::Recursive);
-    let has_chance = |(_, operations): &&(Formulation, Operations)| {
-        compile::notes_have_a_chance(tree, function, *operations)
-    };
-    if let Some((recursive, _)) = recursive.filter(|one| !has_chance(one)) {
-        return Some(*recursive);
+    match (of(Formulation::Notes), of(Formulation::Recursive)) {
+        (Some(notes), Some(recursive)) => {
+            let is_notes = compile::notes_cost_no_more(tree, function, notes, recursive);
+            Some(if is_notes {
+                Formulation::Notes
+            } else {
+                Formulation::Recursive
+            })
+        }
+        _ => formulations.first().map(|(formulation, _)| *formulation),
     }
-    let cost = |(_, operations): &&(Formulation, Operations)| compile::cost(function, *operations);
-    let cheapest = formulations.iter().min_by_key(cost);
-    cheapest.map(|(formulation, _)| *formulation)
 }

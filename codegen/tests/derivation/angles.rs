@@ -224,7 +224,7 @@ fn time_of_chain(n: usize) -> Duration {
 #[test]
 fn long_chains_take_a_time_that_does_not_grow_with_their_cube() {
     let short = (0..3).map(|_| time_of_chain(700)).min().unwrap();
-    let long = time_of_chain(2_800);
-    // By the square 16 times as long, by the cube 64.
-    assert!(long < 40 * short, "{long:?} of {short:?}");
+    // By the square 16 times as long, by the cube 64. Others may have the processor meanwhile, but not each time.
+    let mut long = (0..5).map(|_| time_of_chain(2_800));
+    assert!(long.any(|long| long < 40 * short), "{short:?}");
 }

@@ -1,16 +1,35 @@
 //! Names of functions among the arguments.
 
 use kane_codegen::{
+    diagnostic::{Escaped, nearest},
     error::Error,
-    functions::{Parsed, split},
-    options::{ALL, DEFAULT, Functions, is_in_all, is_set},
+    functions::{ALL, DEFAULT, Parsed, RequestError, is_set, split},
+    options::{Functions, is_in_all},
 };
 
 use crate::cli::Failures;
 
-/// Reads a name of `--functions` or `--function`.
-pub(crate) fn request(text: &str) -> Result<Parsed, Failures> {
-    Parsed::read(text).map_err(|faults| Error::Requests(faults).into())
+/// Reads a name of `--functions` or `--function`, which may be one that `kane.toml` gives.
+pub(crate) fn request(text: &str, listed: Option<&Functions>) -> Result<Parsed, Failures> {
+    if let Some(named) = listed.and_then(|listed| named(text, listed)) {
+        return Ok(named);
+    }
+    let faults = match Parsed::read(text) {
+        Ok(request) => return Ok(request),
+        Err(faults) => faults,
+    };
+    let requests = listed.map_or_else(Vec::new, Functions::requests);
+    let given: Vec<&str> = requests.iter().filter_map(Parsed::given_name).collect();
+    match &faults[..] {
+        [RequestError::Unknown { name }] if nearest(name, &given).is_some() => {
+            let near = nearest(name, &given).unwrap_or_default();
+            let name = name.escaped();
+            Err(Failures::message(format!(
+                "`{name}` is no function; did you mean `{near}`, as kane.toml names one?"
+            )))
+        }
+        _ => Err(Error::Requests(faults).into()),
+    }
 }
 
 /// The names in what `--functions` was given, each time it stood there: commas inside brackets separate none.
@@ -46,20 +65,14 @@ pub(crate) fn are_listed(asked: &[String], listed: &Functions) -> bool {
 }
 
 /// Reads `--functions`, in which names may stand that `kane.toml` gives.
-pub(crate) fn functions_of(lists: &[String], listed: &Functions) -> Result<Functions, Failures> {
-    let names = names(lists).into_iter().map(|name| {
-        let named = named(name, listed);
-        named.map_or_else(|| name.to_owned(), |own| own.text())
-    });
-    functions(&names.collect::<Vec<_>>())
-}
-
-/// Reads `--functions`.
-pub(crate) fn functions(lists: &[String]) -> Result<Functions, Failures> {
+pub(crate) fn functions(
+    lists: &[String],
+    listed: Option<&Functions>,
+) -> Result<Functions, Failures> {
     let names = names(lists);
     let mut failures = Failures::default();
     for (index, name) in names.iter().enumerate() {
-        let request = (!is_set(name)).then(|| request(name)).transpose();
+        let request = (!is_set(name)).then(|| request(name, listed)).transpose();
         if name.is_empty() {
             failures.add(Failures::message(
                 "--functions has no name between two commas, or behind the last",
@@ -77,5 +90,9 @@ pub(crate) fn functions(lists: &[String]) -> Result<Functions, Failures> {
         }
     }
     failures.none()?;
-    Ok(Functions::of(names.into_iter().map(str::to_owned)))
+    let texts = names.into_iter().map(|name| {
+        let named = listed.and_then(|listed| named(name, listed));
+        named.map_or_else(|| name.to_owned(), |own| own.text())
+    });
+    Ok(Functions::of(texts))
 }

@@ -72,7 +72,11 @@ impl OptionsArguments {
     /// What is asked for, or everything that is wrong with it.
     pub(crate) fn read(&self) -> Result<Asked<'_>, Failures> {
         let mut failures = Failures::default();
-        let functions = self.functions.as_deref().map(functions).transpose();
+        let functions = self
+            .functions
+            .as_deref()
+            .map(|lists| functions(lists, None))
+            .transpose();
         let functions = failures.keep(functions).flatten();
         failures.keep(self.changes.check());
         failures.none()?;

@@ -52,6 +52,15 @@ impl Job {
         }
     }
 
+    /// Why functions cannot be had: at their places in `kane.toml` where they `are_listed` there, else as they were asked for.
+    pub(crate) fn refused_functions(&self, error: Error, are_listed: bool) -> Failures {
+        if are_listed {
+            self.explained(error)
+        } else {
+            error.into()
+        }
+    }
+
     /// Reasons, and what else cannot be had.
     pub(super) fn with_lacking(&self, mut reasons: Failures) -> Failures {
         reasons.add(self.lacking());

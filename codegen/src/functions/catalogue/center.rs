@@ -4,7 +4,8 @@ use crate::{
     functions::{
         argument::Argument,
         derivation::either,
-        function::{Function, Output, PLAIN},
+        function::{Function, JacobiansFn, Output, PLAIN},
+        roots,
         shape::Shape,
         terms::Terms,
         unit::{LEVER, Unit},
@@ -58,6 +59,7 @@ pub(super) const CENTER_OF_MASS_JACOBIAN: Function = Function {
         kane::center::jacobian,
         totals::momentum_matrix::center_jacobian
     ),
+    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::center::jacobian)),
     terms: Terms::OfVector,
     ..PLAIN
 };

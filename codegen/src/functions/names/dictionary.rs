@@ -64,6 +64,16 @@ fn found(table: &[(&'static str, &[&str])], words: &[String]) -> Option<&'static
     row.map(|(own, _)| *own)
 }
 
+/// What stands for all functions of the system.
+pub const ALL: &str = "all";
+/// What stands for the default set.
+pub const DEFAULT: &str = "default";
+
+/// True for a name that stands for several functions.
+pub fn is_set(name: &str) -> bool {
+    [ALL, DEFAULT].contains(&name)
+}
+
 fn plain(name: &str) -> String {
     let letters = name.chars().filter(char::is_ascii_alphanumeric);
     letters.map(|letter| letter.to_ascii_lowercase()).collect()
@@ -88,10 +98,10 @@ pub fn advice(name: &str) -> String {
         "a module has it beside functions such as `bias(sin_cos)`".to_owned()
     } else if is_list(name) {
         "`+` joins functions in one; several have commas between them".to_owned()
-    } else if ["all", "default"].contains(&name) {
+    } else if is_set(name) {
         "it means several functions, and stands alone; for several in one write a sum such as `mass_matrix+bias`"
             .to_owned()
-    } else if let Some(near) = nearest(name, &known()) {
+    } else if let Some(near) = nearest(name, &known()).or_else(|| set(name)) {
         format!("did you mean `{near}`?")
     } else if name.contains(['(', '+']) {
         "quotes stand around one name, not around a request".to_owned()
@@ -106,8 +116,15 @@ pub fn advice(name: &str) -> String {
 /// The names of functions, and that of the default set.
 fn known() -> Vec<&'static str> {
     let mut known = Function::names();
-    known.push("default");
+    known.push(DEFAULT);
     known
+}
+
+/// The word for several functions that differs from this one by letters' case alone.
+fn set(name: &str) -> Option<&'static str> {
+    [ALL, DEFAULT]
+        .into_iter()
+        .find(|set| name.eq_ignore_ascii_case(set))
 }
 
 /// True for names of functions with spaces between them.

@@ -2,6 +2,7 @@
 //!
 //! In: links. Out: vectors along the inertial axes; energies, of all or body by body.
 
+mod axes;
 pub mod body_energies;
 pub mod center;
 pub mod energy;

@@ -2,7 +2,7 @@
 //! columns are, or taken to inertial axes at once from links that carry many.
 
 use super::{
-    center,
+    axes, center,
     stands::{self, Stand, Stands, Wanted},
 };
 use crate::{
@@ -60,6 +60,22 @@ pub fn center_jacobian(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<V
     graph.enter(None);
     let columns = columns.map(|column| graph.scale(last, column.linear));
     columns.collect()
+}
+
+/// The same, after the angular velocities of what moves. Rotations to inertial axes serve both, so that no factor is in them.
+pub fn center_jacobian_with_axes(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> [Vec<Vector>; 2] {
+    let plan = root::kept_whole(tree, plan);
+    let linkage = Linkage::of_speeds(graph, tree, &plan);
+    let one = graph.one();
+    let stands = Stands::new(graph, &linkage, Wanted::Times(one));
+    let columns = summed(graph, &linkage, &stands).into_iter();
+    let columns = columns.map(|column| given::over_total_mass(graph, tree, column.linear));
+    let columns = columns.collect();
+    [axes::turning(graph, &linkage), columns]
 }
 
 /// The momentum of composite bodies for a unit of each motion, along inertial axes and about the point of the stands, added up

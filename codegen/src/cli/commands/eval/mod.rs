@@ -105,10 +105,9 @@ pub(crate) fn run(
         slice::from_ref(&arguments.function),
     );
     let listed = job.as_ref().ok().map(|job| &job.options.functions);
-    let named = listed.and_then(|listed| functions::named(&arguments.function, listed));
-    let is_named = named.is_some();
-    let function = named.map_or_else(|| functions::request(&arguments.function), Ok);
-    let function = failures.keep(function);
+    let is_named =
+        listed.is_some_and(|listed| functions::named(&arguments.function, listed).is_some());
+    let function = failures.keep(functions::request(&arguments.function, listed));
     let job = failures.keep(job);
     let checked = job.as_ref().map(Job::checked);
     let checked = checked.and_then(|checked| failures.keep(checked));
@@ -122,14 +121,9 @@ pub(crate) fn run(
     voice.warn_without_notes(&checked.warnings);
 
     let tree = &checked.tree;
-    let function = function.on(tree).map_err(|faults| {
-        let error = Error::Requests(faults);
-        if is_named {
-            job.explained(error)
-        } else {
-            error.into()
-        }
-    })?;
+    let function = function
+        .on(tree)
+        .map_err(|faults| job.refused_functions(Error::Requests(faults), is_named))?;
     let Some(state) = state.or_else(|| state::of_no_inputs(tree, &function)) else {
         let needs = format!(
             "`{}` needs a state; give one with `--state FILE`",

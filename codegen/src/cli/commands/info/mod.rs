@@ -102,7 +102,7 @@ pub(crate) fn run(
         asked.unwrap_or_default(),
     )?;
     let listed = &job.options.functions;
-    let asked = asked.map(|asked| functions::functions_of(asked, listed));
+    let asked = asked.map(|asked| functions::functions(asked, Some(listed)));
     let asked = asked.transpose()?;
     let model = job.checked()?;
     voice.warn_without_notes(&model.warnings);
@@ -128,13 +128,8 @@ pub(crate) fn run(
     let is_counted = !(is_large && are_default);
     let counts = if is_counted {
         rounded_angles::tell_of(&model.description, &options, voice);
-        let requests = requests(tree, &options.functions).map_err(|error| {
-            if are_default {
-                job.explained(error)
-            } else {
-                error.into()
-            }
-        })?;
+        let requests = requests(tree, &options.functions)
+            .map_err(|error| job.refused_functions(error, are_default))?;
         report::count(tree, &requests, &options.without)
     } else {
         Vec::new()

@@ -118,6 +118,8 @@ fn targets_of(
         reader.faults.push(warning);
     }
     Some(match Document::parse(&mended, file.base()) {
+        // It is refused later, and its elements mean what they may.
+        Ok(document) if index == 0 && !is_model(document.root()) => Some(Vec::new()),
         Ok(document) => targets(reader, document.root()),
         Err(fault) => {
             let from = included.from.get(index).copied().flatten();
@@ -128,6 +130,11 @@ fn targets_of(
             None
         }
     })
+}
+
+/// True for the root element of a model.
+pub(in crate::description::mjcf) fn is_model(root: Element<'_>) -> bool {
+    root.name() == "mujoco"
 }
 
 /// The words at an element that names a file.

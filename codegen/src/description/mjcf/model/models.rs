@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::description::mjcf::files::Files;
+use crate::description::mjcf::files::{Files, include::is_model};
 use crate::description::mjcf::model::copies::Copies;
 use crate::description::mjcf::model::{Beside, Model, ModelAsset};
 use crate::description::xml::{Element, Reader};
@@ -27,7 +27,7 @@ impl<'d> Models<'d> {
         root: Element<'d>,
         beside: Beside<'d>,
     ) -> Option<Self> {
-        if !is_model(reader, root) {
+        if !accept(reader, root) {
             return None;
         }
         let mut list = vec![Model::read(reader, files, root, None, beside)];
@@ -44,7 +44,7 @@ impl<'d> Models<'d> {
                 };
                 let number = *numbers.entry(file).or_insert(list.len());
                 if number == list.len() {
-                    if !is_model(reader, root) {
+                    if !accept(reader, root) {
                         return None;
                     }
                     let main = Some(&list[0].settings);
@@ -118,8 +118,8 @@ pub(in crate::description::mjcf) fn name(root: Element<'_>) -> Spanned<String> {
 }
 
 /// Refuses a root that is no model.
-fn is_model(reader: &mut Reader, root: Element<'_>) -> bool {
-    let is_model = root.name() == "mujoco";
+fn accept(reader: &mut Reader, root: Element<'_>) -> bool {
+    let is_model = is_model(root);
     if !is_model {
         let found = shown(root.name());
         let fault = format!("the root element is `{found}`; expected `mujoco`");

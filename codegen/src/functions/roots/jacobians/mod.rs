@@ -2,6 +2,8 @@
 
 pub(in crate::functions) mod accelerations;
 mod bias;
+mod carrying;
+pub(in crate::functions) mod center;
 pub(in crate::functions) mod forces;
 pub(in crate::functions) mod frames;
 pub(in crate::functions) mod hybrid;

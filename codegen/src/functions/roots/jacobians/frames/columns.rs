@@ -1,9 +1,6 @@
 //! Derivatives of Jacobians of frames: how each column changes by the motion of another one.
 
-use super::{
-    carrying::Carrying,
-    moving::{Twist, seen_from_frame},
-};
+use super::moving::{Twist, seen_from_frame};
 use crate::{
     differentiate::Sweep,
     expr::{Expr, ExprGraph, Vector},
@@ -11,7 +8,10 @@ use crate::{
         argument::Argument,
         formulation::Way,
         function::Jacobians,
-        roots::{frames, jacobians::swept::swept},
+        roots::{
+            frames,
+            jacobians::{carrying::Carrying, swept::swept},
+        },
         subject::{Subject, View},
     },
     id::SpeedId,

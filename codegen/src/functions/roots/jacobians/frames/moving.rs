@@ -3,10 +3,9 @@
 //! Columns are those of the frame's Jacobian, along axes that all share. Motions of which each carries the other, as the components of an angular
 //! velocity do, are one group.
 
-use super::carrying::Carrying;
 use crate::{
     expr::{Expr, ExprGraph, Input, Vector},
-    functions::subject::Subject,
+    functions::{roots::jacobians::carrying::Carrying, subject::Subject},
     given::{self, Accelerations},
     id::SpeedId,
     solve::SpeedMatrix,

@@ -1,4 +1,4 @@
-//! Which motions on the way to a frame carry the axes of which others.
+//! Which motions carry the axes of which others.
 
 use crate::{
     id::{BodyId, SpeedId},

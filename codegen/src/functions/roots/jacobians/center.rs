@@ -1,0 +1,61 @@
+//! Derivatives of the partial velocities of the mass centre: how each column changes by the motion of another one.
+
+use super::{carrying::Carrying, swept::swept};
+use crate::{
+    differentiate::Sweep,
+    expr::{Expr, ExprGraph, Vector},
+    functions::{argument::Argument, function::Jacobians},
+    id::SpeedId,
+    recursive::{Plan, totals::momentum_matrix},
+    solve::SpeedMatrix,
+    tree::Tree,
+};
+
+pub(in crate::functions) fn jacobian(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Jacobians {
+    let (by_q, columns) = if tree.has_followers() {
+        let columns = momentum_matrix::center_jacobian(graph, tree, plan);
+        let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &by_rows(&columns));
+        (by_q, columns)
+    } else {
+        by_motions(graph, tree, plan)
+    };
+    Jacobians {
+        by: vec![(Argument::Q, by_q)],
+        values: Some(by_rows(&columns)),
+        mass: None,
+    }
+}
+
+/// By coordinates, with the columns. A motion turns the columns of all motions whose axes it carries; of others on its path it moves what
+/// they turn, so that of two motions the outer one's column is turned by the inner one, whichever changes.
+fn by_motions(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> (SpeedMatrix, Vec<Vector>) {
+    let [axes, columns] = momentum_matrix::center_jacobian_with_axes(graph, tree, plan);
+    let carrying = Carrying::new(tree);
+    let n = tree.n_speeds;
+    let mut rows = vec![vec![graph.zero(); n]; 3 * n];
+    graph.enter(None);
+    for own in 0..n {
+        for by in 0..n {
+            let [speed, cause] = [own, by].map(SpeedId::new);
+            let (inner, outer) = if carrying.carries(cause, speed) {
+                (by, own)
+            } else if own == by || carrying.carries(speed, cause) {
+                (own, by)
+            } else {
+                continue;
+            };
+            let changed = graph.cross(axes[inner], columns[outer]);
+            for (axis, entry) in changed.into_iter().enumerate() {
+                rows[axis * n + own][by] = entry;
+            }
+        }
+    }
+    (rows, columns)
+}
+
+/// The entries by rows.
+fn by_rows(columns: &[Vector]) -> Vec<Expr> {
+    let axes = 0..3;
+    axes.flat_map(|axis| columns.iter().map(move |column| column[axis]))
+        .collect()
+}

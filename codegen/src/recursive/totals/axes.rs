@@ -1,0 +1,59 @@
+//! The axes of all motions, along inertial axes: rotations pass outward, and each motion finds its axis where it enters.
+
+use crate::{
+    expr::{ExprGraph, Matrix, Purpose, Vector, transpose},
+    id::{BodyId, BodyMap},
+    recursive::links::{
+        linkage::Linkage,
+        passage::{Drive, Passenger},
+        rotation::Turn,
+    },
+    tree::Motion,
+};
+
+/// The angular velocity of what moves for a unit value of each speed, one a speed; zero for translations.
+pub(super) fn turning(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> Vec<Vector> {
+    let Linkage { tree, passages, .. } = linkage;
+    graph.begin(Purpose::Outward);
+    let mut axes = vec![graph.zero_vector(); tree.n_speeds];
+    let identity = graph.identity();
+    BodyMap::outward(tree.bodies.len(), |body, stands: &BodyMap<Matrix>| {
+        graph.enter(body);
+        let mut stand = Turned {
+            rotation: tree.lower(body).map_or(identity, |lower| stands[lower]),
+            axes: &mut axes,
+        };
+        passages[body].outward(graph, &mut stand);
+        let rotation = stand.rotation;
+        graph.name_matrix(&rotation, "rot");
+        rotation
+    });
+    axes
+}
+
+/// From inertial components to those along the axes that have been reached.
+struct Turned<'a> {
+    rotation: Matrix,
+    axes: &'a mut [Vector],
+}
+
+impl Passenger for Turned<'_> {
+    fn shift(&mut self, _: &mut ExprGraph, _: BodyId, _: Vector) {}
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        // An inertial axis along the link's is a column of the rotation.
+        let columns = transpose(&self.rotation);
+        self.rotation = transpose(&columns.map(|axis| rotation.forward(graph, axis)));
+        for (axis, motion) in drive.motions().into_iter().enumerate() {
+            let Some(Motion { speed, factor }) = motion else {
+                continue;
+            };
+            let factor = graph.number(factor);
+            let own = graph.scale(factor, self.rotation[axis]);
+            let sum = &mut self.axes[speed.index()];
+            *sum = graph.add_vectors(*sum, own);
+        }
+    }
+
+    fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {}
+}
