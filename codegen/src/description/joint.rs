@@ -2,7 +2,7 @@
 
 use crate::description::coordinate_name::CoordinateName;
 use crate::description::value::{Given, Limits, Optional, PerCoordinate, Scalar};
-use crate::diagnostic::Spanned;
+use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::geometry::Rotation;
 
 /// A joint between two constant frames: one in the lower body, one in the body.
@@ -118,10 +118,21 @@ impl JointKind {
     pub fn is_angular(&self) -> bool {
         match self {
             Self::Revolute | Self::Continuous | Self::Universal | Self::Spherical => true,
-            Self::List(coordinates) => coordinates.iter().all(|own| own.value.is_angle()),
+            Self::List(coordinates) => {
+                !self.is_fixed() && coordinates.iter().all(|own| own.value.is_angle())
+            }
             Self::Fixed | Self::Prismatic | Self::Cylindrical | Self::Planar | Self::Free => false,
         }
     }
+}
+
+/// The fault of what acts about all axes where the speeds are rates of angles.
+pub(crate) fn on_angular_velocity(what: &str, span: Span) -> Diagnostic {
+    let message =
+        format!("{what} acts on the angular velocity, but the speeds are rates of angles");
+    Diagnostic::error(message).at(span, "expected 0").help(
+        "with `chart = \"quaternion\"`, the default, the speeds are components of the angular velocity",
+    )
 }
 
 /// How an orientation is described.

@@ -31,6 +31,7 @@ pub use body::{INERTIA_COMPONENTS, WrittenBody};
 pub use coordinate_name::CoordinateName;
 pub use format::read;
 pub use frame::{Carrier, FrameRotation, WrittenFrame};
+pub(crate) use joint::on_angular_velocity;
 pub use joint::{Chart, JointKind, Mimic, Speeds, WrittenJoint};
 pub(crate) use reading::utf8;
 pub use reading::{Base, Include, LeftOut, Reading, no_includes};

@@ -317,7 +317,7 @@ fn systems_of_robots() {
     insta::assert_snapshot!(of_robots(&OF_SYSTEMS));
 }
 
-const ENERGIES: [&str; 13] = [
+const ENERGIES: [&str; 14] = [
     "kinetic_energy",
     "potential_energy",
     "linear_momentum",
@@ -326,6 +326,7 @@ const ENERGIES: [&str; 13] = [
     "d(kinetic_energy)/d(u)",
     "d(angular_momentum)/d(u)",
     "d(center_of_mass)/d(q)",
+    "d(center_of_mass_jacobian)/d(q)",
     "d(potential_energy)/d(q)",
     "vjp(angular_momentum; q, u)",
     "d(gravity_forces)/d(q)",
@@ -379,6 +380,7 @@ fn the_cheapest_is_never_dearer_than_either_formulation() {
         "d(kinetic_energy)/d(u)",
         "d(angular_momentum)/d(u)",
         "d(center_of_mass)/d(q)",
+        "d(center_of_mass_jacobian)/d(q)",
         "vjp(inverse_dynamics; q, u, u_dot)",
     ];
     for path in [

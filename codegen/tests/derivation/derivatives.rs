@@ -93,6 +93,7 @@ fn all_ways_give_the_same_derivatives() {
             "packed(d(mass_matrix_solve)/d(tau))",
             "d(center_of_mass)/d(q)",
             "d(center_of_mass_velocity)/d(u)",
+            "d(center_of_mass_jacobian)/d(q)",
             "d(potential_energy)/d(q)",
             "d(kinetic_energy)/d(q, u)",
             "d(linear_momentum)/d(q, u)",

@@ -1,5 +1,7 @@
 //! `worldbody`: the bodies, depth first, in the order of the file.
 
+use std::collections::BTreeSet;
+
 use crate::description::mjcf::chain::{Bodies, JointedBody};
 use crate::description::mjcf::contents::around::Around;
 use crate::description::mjcf::contents::{Contents, Inside, gather};
@@ -37,10 +39,19 @@ struct Pending<'d> {
 pub(super) struct Found<'d> {
     pub(super) bodies: Bodies,
     pub(super) sites: Vec<Site<'d>>,
+    /// The bodies that follow motion capture.
+    pub(super) captured: Captured,
     /// What is around each copy of elements, and each model that is attached.
     pub(super) copies: Vec<Around>,
     /// Where joints leave it to actuators to lift weights.
     by_actuators: Vec<Span>,
+}
+
+/// Names of bodies that follow motion capture, and of the sites on them.
+#[derive(Default)]
+pub(super) struct Captured {
+    pub(super) bodies: BTreeSet<String>,
+    pub(super) sites: BTreeSet<String>,
 }
 
 /// Reads the bodies of all `worldbody` elements, and the sites in them.
@@ -137,6 +148,12 @@ fn body<'d>(
     let own = placement(reader, &given, &model.settings);
     let place = around.frame.then(&own);
     let is_captured = warn_of_mocap(reader, &given);
+    if is_captured {
+        let body = name.iter().map(|name| name.value.clone());
+        found.captured.bodies.extend(body);
+        let sites = contents.sites.iter().filter_map(Inside::name);
+        found.captured.sites.extend(sites.map(|name| name.value));
+    }
     let joints: Vec<JointElement> = contents
         .joints
         .iter()

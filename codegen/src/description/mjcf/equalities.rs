@@ -4,12 +4,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::LeftOut;
-use crate::description::mjcf::bodies::Found;
+use crate::description::mjcf::bodies::{Captured, Found};
 use crate::description::mjcf::contents::around::Around;
 use crate::description::mjcf::joints::ties::{Equation, Ties};
 use crate::description::mjcf::known;
 use crate::description::mjcf::left_out::{advice, left_out};
-use crate::description::mjcf::mocap::Mocap;
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::model::attributes::Attributes;
 use crate::description::mjcf::model::defaults::{Class, ElementKind};
@@ -27,6 +26,7 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>, found: &Found<'
     let mut all = Equalities {
         models,
         names: Names::of(found),
+        captured: &found.captured,
         sections: BTreeMap::new(),
         copied: BTreeSet::new(),
         ties: Ties::default(),
@@ -43,8 +43,9 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>, found: &Found<'
 struct Equalities<'d, 'f> {
     models: &'f Models<'d>,
     names: Names<'f>,
-    /// Those of each model, by its number, with what follows motion capture where that was asked for.
-    sections: BTreeMap<usize, (Vec<Element<'d>>, Option<Mocap<'d>>)>,
+    captured: &'f Captured,
+    /// Those of each model, by its number.
+    sections: BTreeMap<usize, Vec<Element<'d>>>,
     /// The places of those that hold in copies.
     copied: BTreeSet<usize>,
     ties: Ties,
@@ -73,10 +74,10 @@ impl<'d> Equalities<'d, '_> {
     fn section(&mut self, reader: &mut Reader, around: &Around) {
         let models = self.models;
         let model = &models.list[around.model];
-        let (elements, mut mocap) = self.sections.remove(&around.model).unwrap_or_else(|| {
+        let elements = self.sections.remove(&around.model).unwrap_or_else(|| {
             let sections = model.named("equality").into_iter();
             let elements = sections.flat_map(|section| model.files.children(section));
-            (elements.collect(), None)
+            elements.collect()
         });
         for element in elements.iter().copied() {
             if around.is_copy() && !models.copies.count(reader, element.span()) {
@@ -96,21 +97,13 @@ impl<'d> Equalities<'d, '_> {
                 self.copied.insert(place);
             }
             self.ties.equalities.extend(equality.name.clone());
-            let mocap =
-                mocap.get_or_insert_with(|| Mocap::of(model.files, &model.named("worldbody")));
-            self.one(reader, model, &equality, mocap);
+            self.one(reader, model, &equality);
         }
-        self.sections.insert(around.model, (elements, mocap));
+        self.sections.insert(around.model, elements);
     }
 
     /// Ties joints, leaves an equality out, or refuses it.
-    fn one(
-        &mut self,
-        reader: &mut Reader,
-        model: &Model<'d>,
-        equality: &Equality<'_, '_>,
-        mocap: &Mocap<'_>,
-    ) {
+    fn one(&mut self, reader: &mut Reader, model: &Model<'d>, equality: &Equality<'_, '_>) {
         let owner = &equality.owner;
         if !equality.active || model.settings.equalities == Switch::Off {
             return;
@@ -119,7 +112,7 @@ impl<'d> Equalities<'d, '_> {
             equality.leave_out(reader, format!("{owner} is left out"));
         } else if equality.element.name() == "joint" {
             equality.tie(reader, &mut self.ties);
-        } else if equality.follows(mocap) {
+        } else if equality.follows(self.captured) {
             let message = format!("{owner} with a body that follows motion capture is left out");
             equality.leave_out(reader, message);
         } else {
@@ -229,13 +222,14 @@ impl<'d, 'a> Equality<'d, 'a> {
     }
 
     /// True where one of the two ends is a body that follows motion capture.
-    fn follows(&self, mocap: &Mocap<'_>) -> bool {
-        let is = |name: &str, known: &dyn Fn(&str) -> bool| {
-            self.given.text(name).is_some_and(|text| known(text.value))
+    fn follows(&self, captured: &Captured) -> bool {
+        let is_among = |name: &str, known: &BTreeSet<String>| {
+            let text = self.given.text(name);
+            text.is_some_and(|text| known.contains(&self.around.name(text.value)))
         };
-        let body = |name: &str| mocap.has_body(name);
-        let site = |name: &str| mocap.has_site(name);
-        is("body1", &body) || is("body2", &body) || is("site1", &site) || is("site2", &site)
+        let is_body = |name| is_among(name, &captured.bodies);
+        let is_site = |name| is_among(name, &captured.sites);
+        ["body1", "body2"].into_iter().any(is_body) || ["site1", "site2"].into_iter().any(is_site)
     }
 
     /// Ties joints, where the equality is linear.

@@ -21,7 +21,6 @@ mod known;
 mod left_out;
 mod lifted;
 mod mass;
-mod mocap;
 mod model;
 mod names;
 mod orientation;

@@ -1,9 +1,10 @@
-//! Names of bodies: those that are given, and others for bodies that have none.
+//! Names of bodies and joints: those that are given, and others for those that have none.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
+use crate::description::WrittenBody;
 use crate::description::xml::Reader;
-use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::diagnostic::{Diagnostic, Span, Spanned, shown};
 
 /// How a body is to be called.
 #[derive(Clone, Debug)]
@@ -54,6 +55,31 @@ pub(super) fn give(reader: &mut Reader, wishes: &[Wish]) -> Vec<Spanned<String>>
         }
     };
     wishes.iter().enumerate().map(name).collect()
+}
+
+/// Gives names to joints that have none where another joint is called as their body: in MuJoCo these do not meet.
+pub(super) fn tell_joints_apart(reader: &mut Reader, bodies: &mut [WrittenBody]) {
+    let joints = bodies.iter().filter_map(|body| body.joint.name.as_ref());
+    let given: BTreeSet<String> = joints.map(|name| name.value.clone()).collect();
+    let all = bodies.iter().filter_map(WrittenBody::joint_name);
+    let mut used: Used = all.map(|name| (name.value.clone(), 1)).collect();
+    for body in bodies {
+        let own = body.joint_name().filter(|_| body.joint.name.is_none());
+        let Some(own) = own.filter(|own| given.contains(&own.value)) else {
+            continue;
+        };
+        let name = free(&mut used, own.value.clone());
+        let note = Diagnostic::note(format!(
+            "the joint of body `{}`, which has no name, is called `{name}`",
+            shown(&own.value)
+        ));
+        let plural = "joints without names are given some";
+        let note = note.one_of(plural, format!("`{name}`"));
+        reader
+            .faults
+            .push(note.at(own.span, "another joint has this name"));
+        body.joint.name = Some(Spanned::new(name, own.span));
+    }
 }
 
 /// The next name of ours that is not in use.

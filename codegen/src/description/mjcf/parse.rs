@@ -7,7 +7,9 @@ use crate::description::mjcf::mass::inertial::baked;
 use crate::description::mjcf::model::Beside;
 use crate::description::mjcf::model::mesh_budget::Budget;
 use crate::description::mjcf::model::models::{self, Models};
-use crate::description::mjcf::{beside_bodies, bodies, equalities, files::include, finite, sites};
+use crate::description::mjcf::{
+    beside_bodies, bodies, equalities, files::include, finite, names, sites,
+};
 use crate::description::xml::{Element, Mended, Reader};
 use crate::description::{Description, Include, Reading};
 use crate::diagnostic::{Diagnostic, Source, Spanned};
@@ -66,6 +68,7 @@ fn read<'d>(
     let total_mass = main.settings.total_mass;
     let mut bodies = found.bodies.written(reader, total_mass, &ties.held());
     ties.apply(reader, &mut bodies.list, &bodies.references);
+    names::tell_joints_apart(reader, &mut bodies.list);
     finite::check(reader, &bodies.list);
     let frames = sites::written(reader, &models, &found.sites, &bodies.list);
     let worlds = main.named("worldbody");

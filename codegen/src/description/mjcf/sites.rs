@@ -39,10 +39,7 @@ pub(super) fn written<'d>(
     sites: &[Site<'d>],
     bodies: &[WrittenBody],
 ) -> Vec<WrittenFrame> {
-    let names = bodies.iter().filter_map(|body| body.name.as_ref());
-    let taken: BTreeSet<&str> = names.map(|name| name.value.as_str()).collect();
-    // What sites are called whose names are taken.
-    let mut others: BTreeMap<String, String> = BTreeMap::new();
+    let mut names = Names::of(sites, bodies);
     let mut written = Vec::new();
     for site in sites {
         let Some(frame) = frame(reader, models, site, bodies) else {
@@ -56,7 +53,7 @@ pub(super) fn written<'d>(
             break;
         }
         let name = frame.name.map(|name| Spanned {
-            value: free(&taken, &mut others, name.value),
+            value: names.of_site(name.value),
             span: name.span,
         });
         written.push(WrittenFrame { name, ..frame });
@@ -64,20 +61,41 @@ pub(super) fn written<'d>(
     written
 }
 
-/// The name, or another one where a body has it.
-fn free(taken: &BTreeSet<&str>, others: &mut BTreeMap<String, String>, name: String) -> String {
-    if !taken.contains(name.as_str()) {
-        return name;
+/// What sites are called, whose names bodies may have.
+struct Names<'b> {
+    bodies: BTreeSet<&'b str>,
+    sites: BTreeSet<String>,
+    /// Of sites that gave way.
+    others: BTreeMap<String, String>,
+}
+
+impl<'b> Names<'b> {
+    fn of(sites: &[Site<'_>], bodies: &'b [WrittenBody]) -> Self {
+        let bodies = bodies.iter().filter_map(|body| body.name.as_ref());
+        let sites = sites.iter().filter_map(|site| site.inside.name());
+        Self {
+            bodies: bodies.map(|name| name.value.as_str()).collect(),
+            sites: sites.map(|name| name.value).collect(),
+            others: BTreeMap::new(),
+        }
     }
-    if let Some(other) = others.get(&name) {
-        return other.clone();
+
+    /// The name, or another one that nothing has where a body has it.
+    fn of_site(&mut self, name: String) -> String {
+        if !self.bodies.contains(name.as_str()) {
+            return name;
+        }
+        if let Some(other) = self.others.get(&name) {
+            return other.clone();
+        }
+        let mut other = name.clone();
+        while self.bodies.contains(other.as_str()) || self.sites.contains(&other) {
+            other.push_str("_site");
+        }
+        self.sites.insert(other.clone());
+        self.others.insert(name, other.clone());
+        other
     }
-    let mut other = name.clone();
-    while taken.contains(other.as_str()) {
-        other.push_str("_site");
-    }
-    others.insert(name, other.clone());
-    other
 }
 
 fn frame<'d>(

@@ -5,6 +5,7 @@ use crate::description::urdf::origin;
 use crate::description::xml::{Element, Known, Reader};
 use crate::description::{
     Chart, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar, WrittenJoint,
+    on_angular_velocity,
 };
 use crate::diagnostic::{Diagnostic, Spanned};
 
@@ -85,10 +86,22 @@ fn read_motion(
         Dynamics::default()
     };
     let limits = match what {
-        Some(JointKind::Free | JointKind::Fixed | JointKind::Planar) => PerCoordinate::Absent,
+        Some(JointKind::Fixed) => PerCoordinate::Absent,
+        Some(JointKind::Free | JointKind::Planar) => {
+            warn_of_limits(reader, element, words);
+            PerCoordinate::Absent
+        }
         _ => limits(reader, element, words, what),
     };
     let is_free = kind.as_ref().filter(|kind| kind.value == JointKind::Free);
+    if let PerCoordinate::Same(damping) = &dynamics.damping
+        && is_free.is_some()
+        && chart == Chart::Angles
+        && damping.value.nominal() != 0.0
+    {
+        let what = format!("`damping` of `dynamics` of {words}");
+        reader.faults.push(on_angular_velocity(&what, damping.span));
+    }
     WrittenJoint {
         axis,
         attachment_rotation: origin.rotation,
@@ -186,7 +199,18 @@ fn limits(
     PerCoordinate::Same(Spanned::new(limits, element.span()))
 }
 
-/// An absent end of the range is zero, which may surprise.
+/// Limits of joints that move along or about several axes are left out.
+fn warn_of_limits(reader: &mut Reader, joint: Element<'_>, words: &str) {
+    if let Some(element) = reader.child(joint, words, "limit") {
+        let message = format!("`limit` of {words} is left out: the joint has several axes");
+        let warning = Diagnostic::warning(message)
+            .at(element.span(), "ignored")
+            .one_of("limits of joints with several axes are left out", words);
+        reader.faults.push(warning);
+    }
+}
+
+/// An absent end of the range is zero, which may surprise where both are absent.
 fn warn_of_range(reader: &mut Reader, element: Element<'_>, owner: &str) {
     let is_given = |name: &str| element.attribute(name).is_some();
     if !is_given("lower") && !is_given("upper") {

@@ -48,6 +48,8 @@ impl Outline {
                 let key = format!("frame {}: {key}", name(frame));
                 flatten(&key, value, &mut values);
             }
+            let body = format!("frame {}: body", name(frame));
+            values.entry(body).or_insert_with(|| INERTIAL.to_owned());
         }
         let names = tree.bodies.iter().map(|body| body.name.clone());
         let parameters = tree

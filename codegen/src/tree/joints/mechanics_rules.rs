@@ -82,7 +82,7 @@ impl Check<'_> {
         };
         let name = self.name;
         match kind.value {
-            JointKind::Fixed => {
+            _ if kind.value.is_fixed() => {
                 let given = [
                     ("stiffness", first(&written.stiffness)),
                     ("rest", first(&written.rest)),

@@ -17,6 +17,7 @@ use crate::description::mjcf::placement::{Placement, unit};
 use crate::description::xml::Reader;
 use crate::description::{
     Chart, Given, JointKind, Limits, Optional, PerCoordinate, Scalar, WrittenJoint,
+    on_angular_velocity,
 };
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::geometry::Vector;
@@ -258,16 +259,9 @@ fn rotating(
         if chart == Chart::Angles
             && let Some(value) = first(reader, given, name)
         {
-            let message = format!(
-                "{} acts on the angular velocity, but the speeds are rates of angles",
-                given.what(name)
-            );
-            let fault = Diagnostic::error(message).at(value.span, "expected 0");
-            reader.faults.push(
-                fault.help(
-                    "with `chart = \"quaternion\"`, the default, the speeds are components of the angular velocity",
-                ),
-            );
+            reader
+                .faults
+                .push(on_angular_velocity(&given.what(name), value.span));
         }
     }
 }

@@ -34,24 +34,26 @@ pub(in crate::description::mjcf) struct Ties {
 pub(in crate::description::mjcf) type Held = BTreeMap<String, f64>;
 
 impl Ties {
-    /// Adds an equation, the other way round where its joint is tied already.
+    /// Adds an equation, the other way round where its joint is tied already; of two that say the same the first is enough.
     pub(in crate::description::mjcf) fn add(&mut self, reader: &mut Reader, equation: Equation) {
-        let Some(first) = self.joints.get(&equation.joint.value) else {
-            self.joints.insert(equation.joint.value.clone(), equation);
-            return;
-        };
-        match turned(&equation) {
-            Some(turned) if !self.joints.contains_key(&turned.joint.value) => {
-                self.joints.insert(turned.joint.value.clone(), turned);
+        let ways = [Some(equation.clone()), turned(&equation)];
+        let ways: Vec<Equation> = ways.into_iter().flatten().collect();
+        let first_of = |way: &Equation| self.joints.get(&way.joint.value);
+        let same = |way: &&Equation| first_of(way).is_some_and(|first| first.ties_as(way));
+        if let Some(way) = ways.iter().find(same) {
+            let first = &self.joints[&way.joint.value];
+            if !first.is_as(way) {
+                reader.faults.push(twice(first, &equation));
             }
-            _ => {
-                let name = shown(&equation.joint.value);
-                let message = format!(
-                    "{} ties joint `{name}`, which is tied already",
-                    equation.owner
-                );
-                let fault = Diagnostic::error(message).at(equation.span, "the second one");
-                reader.faults.push(fault.at(first.span, "the first one"));
+            return;
+        }
+        match ways.iter().find(|way| first_of(way).is_none()) {
+            Some(way) => {
+                self.joints.insert(way.joint.value.clone(), way.clone());
+            }
+            None => {
+                let first = &self.joints[&equation.joint.value];
+                reader.faults.push(twice(first, &equation));
             }
         }
     }
@@ -85,8 +87,7 @@ impl Ties {
         bodies: &mut [WrittenBody],
         references: &[f64],
     ) {
-        let named = places(bodies, |body| body.joint.name.as_ref());
-        let answering = places(bodies, WrittenBody::joint_name);
+        let named = places(bodies);
         let held = self.held();
         for equation in self.joints.values() {
             let joint = place(reader, bodies, &named, equation, &equation.joint);
@@ -109,15 +110,6 @@ impl Ties {
             let Some((name, Some(leader))) = leader else {
                 continue;
             };
-            if answering.get(&name.value) != Some(&leader) {
-                let message = format!(
-                    "`{}` is a joint and a body whose joint has no name",
-                    shown(&name.value)
-                );
-                let fault = Diagnostic::error(message).at(name.span, "followed here");
-                reader.faults.push(fault.help("give that joint a name"));
-                continue;
-            }
             let message = format!(
                 "joint `{joint_name}` follows `{}` exactly, as {} says",
                 shown(&name.value),
@@ -139,14 +131,11 @@ impl Ties {
     }
 }
 
-/// The first body of each name.
-fn places(
-    bodies: &[WrittenBody],
-    name: impl Fn(&WrittenBody) -> Option<&Spanned<String>>,
-) -> BTreeMap<String, usize> {
+/// The first body of each joint's name.
+fn places(bodies: &[WrittenBody]) -> BTreeMap<String, usize> {
     let mut places = BTreeMap::new();
     for (index, body) in bodies.iter().enumerate() {
-        if let Some(name) = name(body) {
+        if let Some(name) = &body.joint.name {
             places.entry(name.value.clone()).or_insert(index);
         }
     }
@@ -176,6 +165,30 @@ fn place(
     let fault = Diagnostic::error(message).at(name.span, "expected a hinge or a slide");
     reader.faults.push(fault);
     None
+}
+
+impl Equation {
+    /// True where the other one ties the same joint to the same.
+    fn ties_as(&self, other: &Self) -> bool {
+        let leader = |own: &Self| own.leader.as_ref().map(|leader| leader.value.clone());
+        self.joint.value == other.joint.value && leader(self) == leader(other)
+    }
+
+    /// True where it has the same numbers too.
+    fn is_as(&self, other: &Self) -> bool {
+        self.ties_as(other) && (self.shift, self.factor) == (other.shift, other.factor)
+    }
+}
+
+/// The fault of a second equation of a joint.
+fn twice(first: &Equation, second: &Equation) -> Diagnostic {
+    let name = shown(&second.joint.value);
+    let message = format!(
+        "{} ties joint `{name}`, which is tied already",
+        second.owner
+    );
+    let fault = Diagnostic::error(message).at(second.span, "the second one");
+    fault.at(first.span, "the first one")
 }
 
 /// The equation solved for the joint that leads.
