@@ -61,6 +61,22 @@ impl Origin {
     }
 }
 
+/// The options in words above a module, as [`Origin::lines`] has them, one by one; none where they do not stand there.
+pub fn options_of(module: &str) -> Vec<String> {
+    let line = module.lines().nth(1);
+    let line = line.and_then(|line| line.strip_prefix("// Input "));
+    let line = line.and_then(|line| line.strip_suffix('.'));
+    let mut options: Vec<String> = Vec::new();
+    for part in line.into_iter().flat_map(|line| line.split("; ").skip(1)) {
+        match options.last_mut() {
+            // As in `jvp(bias; q, u)`.
+            Some(last) if !part.contains(": ") => *last = format!("{last}; {part}"),
+            _ => options.push(part.to_owned()),
+        }
+    }
+    options
+}
+
 /// The frames that functions are asked for of, as far as they are no part of the tree's own text.
 fn frames(tree: &Tree, options: &Options) -> String {
     let requests = options.requests(tree).unwrap_or_default();

@@ -12,9 +12,9 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use kane_codegen::{config::clean_path, error::Error, ownership};
+use kane_codegen::{companions::CompanionKind, config::clean_path, error::Error, ownership};
 
-use crate::cli::{Failures, job::Job, paths};
+use crate::cli::{Failures, job::Job, paths, target::Target};
 
 /// Which files of a folder nothing may have produced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +42,31 @@ pub(crate) fn find(jobs: &[Job], root: &Path) -> Result<Vec<PathBuf>, Failures> 
     }
     failures.none()?;
     Ok(strays.into_iter().collect())
+}
+
+/// Files beside the modules of jobs that we wrote and that no job writes now, each with what would ask for it.
+pub(crate) fn beside(jobs: &[Job]) -> Result<Vec<(PathBuf, String)>, Failures> {
+    let produced: BTreeSet<PathBuf> = jobs.iter().flat_map(Job::files).collect();
+    let mut found = Vec::new();
+    for job in jobs {
+        let Target::File(module) = &job.target else {
+            continue;
+        };
+        for kind in CompanionKind::ALL {
+            for path in kind.beside(module).filter(|path| !produced.contains(path)) {
+                let is_file = path.is_file();
+                if is_file
+                    && is_ours(&path).map_err(|source| Error::Io {
+                        path: path.clone(),
+                        source,
+                    })?
+                {
+                    found.push((path, job.asks_by(kind)));
+                }
+            }
+        }
+    }
+    Ok(found)
 }
 
 /// The outermost folder named `generated` between `root` and the file, else the file's own folder.

@@ -8,7 +8,7 @@ use std::{
 use clap::Args;
 use kane_codegen::{
     generate::Generated,
-    output, ownership,
+    origin, output, ownership,
     report::{self, Comparison},
 };
 
@@ -102,7 +102,7 @@ pub(crate) fn run(
     let is_within = write_over_budget(out, &selected.jobs, &modules)?;
     let has_no_strays = match &strays {
         Some((whole, strays)) => write_strays(out, &selected.jobs, whole, strays)?,
-        None => true,
+        None => write_beside(out, &selected.jobs)?,
     };
     Ok(if is_up_to_date && is_within && has_no_strays {
         Outcome::Done
@@ -175,6 +175,19 @@ fn write_strays(
     Ok(strays.is_empty())
 }
 
+/// Tells which files beside the modules stay as they were; true where there is none.
+fn write_beside(out: &mut dyn Write, jobs: &[Job]) -> Result<bool, Failures> {
+    let beside = stray::beside(jobs)?;
+    for (path, asks) in &beside {
+        let path = path.display();
+        writeln!(
+            out,
+            "{path} is produced by nothing asked for: {asks}, or remove it"
+        )?;
+    }
+    Ok(beside.is_empty())
+}
+
 fn compare<'a>(target: &Target, generated: &'a Generated) -> Result<Vec<Compared<'a>>, Failures> {
     let Target::File(module) = target else {
         return Err(Failures::message(
@@ -228,6 +241,7 @@ fn write_file(
             if !ownership::is_ours(old.as_bytes()) {
                 writeln!(out, "{path} was not written by `kane generate`")?;
             }
+            write_options(out, file, old)?;
             write_comparison(out, file, old)?;
         }
     }
@@ -248,6 +262,17 @@ fn find(path: &Path, text: &str) -> Result<Found, Failures> {
             }
         }
     })
+}
+
+/// Tells which options the file's banner has that are not asked for: they may have been forgotten.
+fn write_options(out: &mut dyn Write, file: &Compared<'_>, old: &str) -> io::Result<()> {
+    let [mut others, new] = [old, file.new].map(origin::options_of);
+    others.retain(|own| !new.contains(own));
+    if !file.is_module || others.is_empty() {
+        return Ok(());
+    }
+    let (path, others) = (file.path.display(), others.join("; "));
+    writeln!(out, "{path} was generated with other options: {others}")
 }
 
 fn write_comparison(out: &mut dyn Write, file: &Compared<'_>, old: &str) -> io::Result<()> {

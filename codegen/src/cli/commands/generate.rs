@@ -17,7 +17,7 @@ use crate::cli::{
     Failures, Outcome, Voice,
     arguments::selection::Selection,
     job::{self, Job, Reported},
-    rounded_angles,
+    rounded_angles, stray,
     target::Target,
 };
 
@@ -96,6 +96,12 @@ pub(crate) fn run(
         voice.say(
             "note: kane.toml asks for something else of this model; `kane check` goes by that",
         );
+    }
+    for (path, asks) in stray::beside(&selected.jobs)? {
+        let path = path.display();
+        voice.say(format_args!(
+            "warning: {path} was generated before and is left as it was: {asks}, or remove it"
+        ));
     }
     for (target, lines) in job::over_budget(&selected.jobs, &modules) {
         voice.say(format_args!(

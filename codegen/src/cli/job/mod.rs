@@ -14,7 +14,7 @@ use std::{
 
 use kane_codegen::{
     budget::{self, Budget, Excess},
-    companions,
+    companions::{Abi, CompanionKind},
     config::{Changed, Named, Prescribed},
     description::{self, Description},
     diagnostic::{Diagnostics, Source, Span},
@@ -118,9 +118,22 @@ impl Job {
         let Target::File(module) = &self.target else {
             return None;
         };
-        let mut kinds = companions::CompanionKind::ALL.into_iter();
+        let mut kinds = CompanionKind::ALL.into_iter();
         let kind = kinds.find(|kind| kind.beside(module).any(|beside| beside == file))?;
         Some(kind.key())
+    }
+
+    /// What would ask for files of a kind beside the module.
+    pub(crate) fn asks_by(&self, kind: CompanionKind) -> String {
+        if self.listing.is_some() {
+            return format!("give its system `{}`", kind.key());
+        }
+        let option = match kind {
+            CompanionKind::Manifest => "--manifest",
+            CompanionKind::Tests => "--with-tests",
+            CompanionKind::Abi(Abi::C) => "--abi c",
+        };
+        format!("add `{option}`")
     }
 
     /// What goes beyond the budget, a line each.

@@ -15,6 +15,10 @@ use crate::{
     listing::{Code, Expression, Facts, Member, Module, Statement, Step, nominal},
 };
 
+/// How many fields of a structure are compared. A derived comparison is one expression, nested once a field, for which the compiler's
+/// stack is too small at 6000.
+const MOST_COMPARED: usize = 2_000;
+
 /// `Parameters` and its nominal values.
 pub(super) fn parameters(module: &Module) -> Vec<Item> {
     let allow = allow_unused();
@@ -122,12 +126,13 @@ pub(super) fn prepared(module: &Module) -> Vec<Item> {
         (quote!(#(#names: R,)*), quote!(#(#assigned,)*))
     };
     let cost = doc(prepare.cost());
+    let compared = (facts.fields.len() <= MOST_COMPARED).then(|| quote!(, PartialEq));
     vec![
         parse_quote! {
             /// Whatever depends on parameters alone, computed once, outside the control loop.
             #allow
             #[repr(C)]
-            #[derive(Clone, Copy, Debug, PartialEq)]
+            #[derive(Clone, Copy, Debug #compared)]
             pub struct Prepared<R> {
                 #declared
             }
