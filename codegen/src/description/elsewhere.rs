@@ -1,7 +1,7 @@
 //! What other formats call the keys and joints of ours.
 
 /// Keys of ours, and what they are called elsewhere.
-const KEYS: [(&str, &[&str]); 19] = [
+const KEYS: [(&str, &[&str]); 22] = [
     ("lower_bodies", &["parent", "parents", "parent_bodies"]),
     ("body", &["bodies", "link", "links"]),
     ("mass_center", &["com", "center_of_mass", "ipos"]),
@@ -21,6 +21,9 @@ const KEYS: [(&str, &[&str]); 19] = [
     ("upper", &["max"]),
     ("velocity", &["max_velocity", "speed"]),
     ("effort", &["max_effort", "force", "torque"]),
+    ("model", &["input", "source", "urdf", "mjcf"]),
+    ("output", &["out", "file", "target"]),
+    ("abi", &["lang", "language"]),
 ];
 
 /// Joints of ours, and what they are called elsewhere.
@@ -32,8 +35,11 @@ const JOINTS: [(&str, &[&str]); 5] = [
     ("fixed", &["weld", "rigid"]),
 ];
 
+/// What to do without constraints.
+const NO_CONSTRAINTS: &str = "closed loops and rolling are not supported: a model is a tree, of whose joints one may follow another, as `mimic` says";
+
 /// Keys that stand elsewhere, and where.
-const PLACES: [(&str, &str); 4] = [
+const PLACES: [(&str, &str); 7] = [
     (
         "gravity",
         "gravity stands at the top of a model; `kane convert` makes a model in this format of another one",
@@ -44,6 +50,9 @@ const PLACES: [(&str, &str); 4] = [
     ),
     ("frame", "frames stand in the model, as `[[frame]]`"),
     ("body", "bodies stand in the model, as `[[body]]`"),
+    ("constraint", NO_CONSTRAINTS),
+    ("constraints", NO_CONSTRAINTS),
+    ("equality", NO_CONSTRAINTS),
 ];
 
 /// Where a key stands that is none here.

@@ -29,7 +29,7 @@ pub(crate) mod xml;
 
 pub use body::{INERTIA_COMPONENTS, WrittenBody};
 pub use coordinate_name::CoordinateName;
-pub use format::read;
+pub use format::{left_open, read};
 pub use frame::{Carrier, FrameRotation, WrittenFrame};
 pub(crate) use joint::on_angular_velocity;
 pub use joint::{Chart, JointKind, Mimic, Speeds, WrittenJoint};

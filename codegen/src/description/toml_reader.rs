@@ -62,6 +62,16 @@ impl<'t, 's> Table<'t, 's> {
     }
 }
 
+/// Where the table ends that a key names, if the key stands in brackets at the beginning of a line.
+fn table_end(text: &str, key: Span) -> Option<usize> {
+    let is_headed = text.get(..key.start)?.ends_with("\n[") || text.get(..key.start)? == "[";
+    let rest = text.get(key.end..)?;
+    is_headed.then(|| {
+        rest.find("\n[")
+            .map_or(text.len(), |line| key.end + line + 1)
+    })
+}
+
 /// The place of a value.
 pub(crate) fn span(item: &Item<'_>) -> Span {
     item.span().into()
@@ -78,14 +88,28 @@ impl Reader {
         let recovered = errors.iter().all(is_repeated);
         let lines = filled_lines(source.text());
         let mut last_line = None;
+        // Up to where all is in a table that was there before.
+        let mut repeated_to = 0;
         for error in errors.iter().take(TOLD) {
             let end = source.text().len();
             let span = Span::from(error.span().unwrap_or(end..end));
             if is_repeated(error) {
+                if span.start < repeated_to {
+                    continue;
+                }
                 let key = source.text().get(span.start..span.end).unwrap_or_default();
                 let message = format!("the key `{}` is given twice", key.escaped());
-                self.faults
-                    .push(Diagnostic::error(message).at(span, "the second one"));
+                let fault = Diagnostic::error(message).at(span, "the second one");
+                self.faults.push(match table_end(source.text(), span) {
+                    Some(end) => {
+                        repeated_to = end;
+                        fault.help(format!(
+                            "several tables are written `[[{}]]`",
+                            key.escaped()
+                        ))
+                    }
+                    None => fault,
+                });
                 continue;
             }
             // After an open bracket every line is a fault; the first of adjacent lines is the one to mend.
@@ -111,7 +135,7 @@ impl Reader {
         }
     }
 
-    /// True while the file was readable as TOML, so that an absent key is truly absent.
+    /// True if something was wrong with the file, so that an absent key may be there.
     pub(crate) fn has_faults(&self) -> bool {
         self.faults.count() > 0
     }

@@ -74,9 +74,11 @@ pub(crate) fn functions(
     for (index, name) in names.iter().enumerate() {
         let request = (!is_set(name)).then(|| request(name, listed)).transpose();
         if name.is_empty() {
-            failures.add(Failures::message(
-                "--functions has no name between two commas, or behind the last",
-            ));
+            failures.add(Failures::message(if names.len() == 1 {
+                "--functions names none; expected names, or `all`"
+            } else {
+                "--functions has no name between two commas, or behind the last"
+            }));
         } else if let Err(fault) = request {
             failures.add(fault);
         } else if names[..index].contains(name) {

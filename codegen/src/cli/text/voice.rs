@@ -21,7 +21,7 @@ pub(crate) struct Voice {
     )]
     verbose: bool,
 
-    /// Print errors only
+    /// Print neither notes nor warnings
     #[arg(long, short, global = true, display_order = 901)]
     quiet: bool,
 }

@@ -1,5 +1,7 @@
 //! Values of our own format: numbers, vectors, rotations, coordinates, and what is given for each coordinate.
 
+use toml::de::DeValue;
+
 use crate::description::elsewhere;
 use crate::description::toml_reader::{Item, Reader, Table, span};
 use crate::description::{CoordinateName, Given, Optional, PerCoordinate, Rotation, Scalar};
@@ -87,6 +89,19 @@ fn three<T>(
 
 /// A matrix by rows.
 pub(super) fn matrix(reader: &mut Reader, item: &Item<'_>, what: &str) -> Option<[[f64; 3]; 3]> {
+    let is_number =
+        |entry: &Item<'_>| matches!(entry.get_ref(), DeValue::Integer(_) | DeValue::Float(_));
+    if let DeValue::Array(entries) = item.get_ref()
+        && !entries.is_empty()
+        && entries.iter().all(is_number)
+    {
+        let message = format!("{what} is a list of numbers; expected 3 rows of 3 numbers");
+        let fault = Diagnostic::error(message).at(span(item), "expected a rotation matrix");
+        reader.faults.push(fault.help(
+            "a quarter turn about z is `[[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]`: each row is an axis of the frame to which it leads",
+        ));
+        return None;
+    }
     let [x, y, z] = three(reader, item, what, "lists of 3 numbers", constants)?;
     Some([x?, y?, z?])
 }

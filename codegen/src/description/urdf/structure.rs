@@ -153,6 +153,9 @@ fn two_parents(first: &JointElement<'_>, second: &JointElement<'_>) -> Diagnosti
         name(second.parent),
         second.words
     ));
+    let fault = fault.help(
+        "closed loops are not supported: leave one of the joints out, and close the loop where the module is called",
+    );
     let labels = [(second, "the second one"), (first, "the first one")];
     labels.into_iter().fold(fault, |fault, (joint, label)| {
         match joint.child.or(joint.parent) {

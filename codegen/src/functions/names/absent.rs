@@ -30,7 +30,7 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 20] = [
     ),
     (
         "it is `centroidal_momentum_matrix` times `u`; `angular_momentum` is about the inertial origin",
-        &["centroidalmomentum", "hg", "subtreeangmom"],
+        &["centroidal", "centroidalmomentum", "hg", "subtreeangmom"],
     ),
     (
         "`regressor` writes forces of joints; none writes the wrench of one body",

@@ -193,7 +193,11 @@ impl ParsedPart {
         (kind, by): (DerivativeKind, &[Word]),
     ) -> Result<Self, RequestError> {
         let Kind::Named { name, of: frames } = &of.kind else {
-            return Err(no_derivative(text, of, "is a derivative itself"));
+            return Err(no_derivative(
+                text,
+                of,
+                "is a derivative itself (second ones are `hessian(F; X)`)",
+            ));
         };
         let values = Self::named(text, (name, frames), part.place.clone())?;
         if values.function.is_compact() {
@@ -274,6 +278,8 @@ impl ParsedPart {
             (Of::Frame(_) | Of::Frames(_), []) => {
                 return Err(RequestError::FrameMissing {
                     name: name(),
+                    // Unquoted, it is no frame.
+                    is_sin_cos: text.ends_with(AT_SIN_COS),
                     place,
                 });
             }

@@ -75,10 +75,15 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// A function of a frame, of none.
-    #[error("`{name}` is of a frame; expected `{name}(FRAME)`")]
+    #[error(
+        "`{name}` is of a frame; expected `{name}(FRAME)`{}",
+        if *is_sin_cos { ", of a frame of that name `(\"sin_cos\")`" } else { "" }
+    )]
     FrameMissing {
         /// The function.
         name: String,
+        /// Whether `(sin_cos)` stands behind the request, which names no frame.
+        is_sin_cos: bool,
         /// Where in the request.
         place: Range<usize>,
     },

@@ -42,7 +42,9 @@ pub(crate) fn check_motions(
         let name = shown(description, index);
         findings.extend(singular(body, joint, &name));
     }
-    if !bodies.is_empty() && joints.iter().all(ResolvedJoint::is_fixed) {
+    // Whatever is wrong with the file may be why nothing moves.
+    let is_readable = !description.faults.iter().any(Diagnostic::is_error);
+    if is_readable && !bodies.is_empty() && joints.iter().all(ResolvedJoint::is_fixed) {
         let fault = Diagnostic::error("no body has a free coordinate, so nothing can move");
         let joints = bodies
             .iter()

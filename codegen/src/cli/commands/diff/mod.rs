@@ -12,7 +12,7 @@ use std::{
 };
 
 use clap::{Args, ValueEnum};
-use kane_codegen::{diagnostic::Escaped, error::Error, options::Options};
+use kane_codegen::{description::Reading, diagnostic::Escaped, error::Error, options::Options};
 
 use crate::cli::{
     Failures, Outcome, Voice,
@@ -180,8 +180,14 @@ fn pair(
             let (options, config) = options(arguments, asked, [&new, &old])?;
             // The path in the banner, which is no difference.
             let shown = new.file_name();
-            [&old, &new].map(|side| {
+            let readings = readings([&old, &new], &options.reading);
+            let [of_old, of_new] = readings;
+            [(&old, of_old), (&new, of_new)].map(|(side, reading)| {
                 let explained = |error| explained(side, config.as_deref(), error);
+                let options = Options {
+                    reading,
+                    ..options.clone()
+                };
                 side.of_model(&shown, &options, explained)
             })
         }
@@ -237,6 +243,23 @@ fn explained(side: &Side, config: Option<&Path>, error: Error) -> Failures {
         failures.add(Failures::message(format!("`{name}`: {reason}{origin}")));
     }
     failures
+}
+
+/// For each side what is asked for: what one of them leaves to the user is not asked of the other if that says it itself.
+fn readings(sides: [&Side; 2], asked: &Reading) -> [Reading; 2] {
+    let [old, new] = sides.map(|side| side.left_open(asked));
+    let is_heeded = |heeds: fn(&Reading) -> bool| heeds(&old) || heeds(&new);
+    let base = is_heeded(|own| own.base.is_some());
+    let chart = is_heeded(|own| own.chart.is_some());
+    let leave_out = is_heeded(|own| !own.leave_out.is_empty());
+    [&old, &new].map(|own| {
+        let of = |is_heeded| if is_heeded { own } else { asked };
+        Reading {
+            base: of(base).base,
+            chart: of(chart).chart,
+            leave_out: of(leave_out).leave_out.clone(),
+        }
+    })
 }
 
 /// The options that `kane.toml` has for the first of these models that it lists, below what is asked for; and that file, where it does.

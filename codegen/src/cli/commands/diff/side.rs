@@ -7,6 +7,7 @@ use std::{
 };
 
 use kane_codegen::{
+    description::{self, Reading},
     diagnostic::{Escaped, Source},
     error::Error,
     generate,
@@ -81,6 +82,11 @@ impl Side {
     /// True for a generated module.
     pub(super) fn is_module(&self) -> bool {
         Path::new(self.name()).extension() == Some(OsStr::new("rs"))
+    }
+
+    /// What of this the format of the model leaves to the user.
+    pub(super) fn left_open(&self, reading: &Reading) -> Reading {
+        description::left_open(&self.source, reading)
     }
 
     /// Where it stands among the user's files.

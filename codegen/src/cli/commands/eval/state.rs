@@ -378,6 +378,7 @@ fn count_of(entries: usize) -> String {
 fn numbers(lengths: &[usize]) -> String {
     match lengths {
         [] => "a number".to_owned(),
+        [1] => "a list of one number".to_owned(),
         [length] => format!("a list of {length} numbers"),
         [length, inner @ ..] => {
             let inner = numbers(inner).replacen("a list", "lists", 1);

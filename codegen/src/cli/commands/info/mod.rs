@@ -103,8 +103,13 @@ pub(crate) fn run(
     )?;
     let listed = &job.options.functions;
     let asked = asked.map(|asked| functions::functions(asked, Some(listed)));
-    let asked = asked.transpose()?;
-    let model = job.checked()?;
+    let mut failures = Failures::default();
+    let asked = failures.keep(asked.transpose());
+    let model = failures.keep(job.checked());
+    failures.none()?;
+    let (Some(asked), Some(model)) = (asked, model) else {
+        unreachable!("info: what is absent left a failure")
+    };
     voice.warn_without_notes(&model.warnings);
     let tree = &model.tree;
     let is_large = tree.n_speeds.max(tree.n_parts()) > COUNTED;
