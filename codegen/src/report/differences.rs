@@ -1,11 +1,11 @@
 //! What differs between two systems.
 //!
-//! In: two outlines. Out: [`Differences`]. Bodies are the same where they have the same name: one that was given another is one that
-//! went and one that came. Where the tree is the same, what has another name at its old place was renamed.
+//! In: two outlines. Out: [`Differences`]. Bodies are the same where they have the same name. Where the tree is the same but for names, what has
+//! another name at its old place was renamed; else one that was given another name is one that went and one that came.
 
 use std::collections::BTreeMap;
 
-use super::outline::{Body, Layout, Outline, Values};
+use super::outline::{Body, LOWER, Layout, Outline, Values};
 
 /// What differs; nothing where all lists are empty.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -79,6 +79,8 @@ impl ValueChange {
 
 /// Compares two systems.
 pub fn differences(old: &Outline, new: &Outline) -> Differences {
+    let named = with_names_of(old, new);
+    let old = named.as_ref().unwrap_or(old);
     let without = |bodies: &[Body], others: &[Body]| -> Vec<Body> {
         let is_there = |body: &&Body| others.iter().any(|other| other.name == body.name);
         let bodies = bodies.iter().filter(|body| !is_there(body));
@@ -102,8 +104,7 @@ pub fn differences(old: &Outline, new: &Outline) -> Differences {
     let layouts = layouts.filter_map(|((layout, old), (_, new))| {
         let change = layout_change(*layout, old, new)?;
         // Of parameters another one may stand there.
-        let is_of_joints = matches!(layout, Layout::Coordinates | Layout::Speeds);
-        Some(if is_same_tree && is_of_joints {
+        Some(if is_same_tree && *layout != Layout::Parameters {
             renamed(change)
         } else {
             change
@@ -115,6 +116,41 @@ pub fn differences(old: &Outline, new: &Outline) -> Differences {
         removed,
         values,
     }
+}
+
+/// The old system with bodies called as in the new one, if the trees are the same but for names of bodies. Layouts keep the old names.
+fn with_names_of(old: &Outline, new: &Outline) -> Option<Outline> {
+    let pairs = old.bodies.iter().zip(&new.bodies);
+    let pairs = pairs.filter(|(old, new)| old.name != new.name);
+    let renamed: BTreeMap<&str, &str> = pairs.map(|(old, new)| (&*old.name, &*new.name)).collect();
+    let is_known = |body: &Body| renamed.contains_key(&*body.name);
+    if renamed.is_empty() || old.bodies.len() != new.bodies.len() || new.bodies.iter().any(is_known)
+    {
+        return None;
+    }
+    let mut named = old.clone();
+    let new_name = |name: &mut String| {
+        if let Some(new) = renamed.get(&**name) {
+            (*new).clone_into(name);
+        }
+    };
+    for body in &mut named.bodies {
+        new_name(&mut body.name);
+        if let Some(lower) = body.values.get_mut(LOWER) {
+            new_name(lower);
+        }
+    }
+    let of_frames = named.values.iter_mut();
+    for (_, body) in of_frames.filter(|(key, _)| key.ends_with(": body")) {
+        new_name(body);
+    }
+    let mut bodies = named.bodies.iter().zip(&new.bodies);
+    let is_same = bodies.all(|(old, new)| {
+        let changes = value_changes(Some(&new.name), &old.values, &new.values);
+        let mut of_the_tree = changes.iter().filter(|change| change.is_of_the_tree());
+        of_the_tree.all(|change| change.key == "joint_name")
+    });
+    is_same.then_some(named)
 }
 
 fn layout_change(layout: Layout, old: &[String], new: &[String]) -> Option<LayoutChange> {

@@ -13,12 +13,24 @@ pub(crate) fn passed_over(sources: &Sources) -> Vec<String> {
     for (file, text) in &sources.0 {
         let tokens: TokenStream = text.parse().unwrap_or_else(|e| panic!("{file}: {e}"));
         let tokens = tokens.to_string();
-        let mut names = PASSING.iter();
-        if let Some(name) = names.find(|name| tokens.contains(&format!("f64 :: {name}"))) {
-            found.push(format!("{file}: `f64::{name}`"));
+        for name in PASSING {
+            if tokens.contains(&format!("f64 :: {name}")) || is_called(&tokens, name) {
+                found.push(format!("{file}: `f64::{name}`"));
+            }
         }
     }
     found
+}
+
+/// True where it is a method that is given a number with a point.
+fn is_called(tokens: &str, name: &str) -> bool {
+    let call = format!(". {name} (");
+    let calls = tokens.split(&call).skip(1);
+    let arguments = calls.filter_map(|rest| rest.split([')', ',']).next());
+    arguments.map(str::trim).any(|argument| {
+        let number = argument.trim_start_matches(['-', ' ']);
+        number.contains('.') && number.parse::<f64>().is_ok()
+    })
 }
 
 /// The same where sources are programs, and tests stand beside them.

@@ -217,7 +217,16 @@ fn test_that_passes_over_nan_is_found() {
         found("fn f() { x.fold(0.0, f64::max); }"),
         ["a/tests/b.rs: `f64::max`"]
     );
-    for text in ["// f64::max\nfn f() {}", "const MOST: f64 = f64::MAX;"] {
+    assert_eq!(
+        found("fn f() { x.min(-1.0) }"),
+        ["a/tests/b.rs: `f64::min`"]
+    );
+    for text in [
+        "// f64::max\nfn f() {}",
+        "const MOST: f64 = f64::MAX;",
+        "fn f() { x.min(1) }",
+        "fn f() { x.max(y.z) }",
+    ] {
         assert!(found(text).is_empty(), "{text}");
     }
 }

@@ -196,6 +196,19 @@ fn nothing_is_written() {
 }
 
 #[test]
+fn options_that_were_forgotten_are_named() {
+    let project = Project::empty();
+    project.write("arm.toml", &model("arm", "2.0"));
+    let asked = ["--functions", "default,jvp(bias; q, u)", "--snap", "1e-5"];
+    let generate = [&["generate", "arm.toml"][..], &asked].concat();
+    assert_eq!(project.kane(&generate).code, 0);
+    let ran = project.kane(&["check", "arm.toml"]);
+    assert_eq!(ran.code, 1);
+    let told = "arm.rs was generated with other options: functions: default, jvp(bias; q, u); snap: 1e-5\n";
+    assert!(ran.out.contains(told), "{}", ran.out);
+}
+
+#[test]
 fn missing_file_differs() {
     let project = Project::arm();
     let ran = project.kane(&["check"]);

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::project::{Project, system};
+use super::project::{Project, model, system};
 
 /// An arm with its manifest, not generated yet.
 fn arm() -> Project {
@@ -300,4 +300,40 @@ fn tests_of_functions_with_names_are_those_of_the_functions() {
     let law = "fn forward_undoes_inverse()";
     assert!(tests("forward_dynamics, inverse_dynamics").contains(law));
     assert!(named.contains(law));
+}
+
+#[test]
+fn files_that_are_no_longer_asked_for_are_told() {
+    let project = Project::empty();
+    project.write("arm.toml", &model("arm", "2.0"));
+    assert_eq!(
+        project.kane(&["generate", "arm.toml", "--abi", "c"]).code,
+        0
+    );
+    project.replace("arm.toml", "mass = 2.0", "mass = 2.5");
+    let ran = project.kane(&["generate", "arm.toml"]);
+    assert_eq!(
+        ran.told(),
+        "wrote arm.rs
+warning: arm_c.rs was generated before and is left as it was: add `--abi c`, or remove it
+warning: arm.h was generated before and is left as it was: add `--abi c`, or remove it
+"
+    );
+    let ran = project.kane(&["check", "arm.toml"]);
+    assert_eq!(ran.code, 1);
+    assert_eq!(
+        ran.out,
+        "arm_c.rs is produced by nothing asked for: add `--abi c`, or remove it
+arm.h is produced by nothing asked for: add `--abi c`, or remove it
+"
+    );
+    assert_eq!(project.kane(&["check", "arm.toml", "--abi", "c"]).code, 1);
+    assert_eq!(
+        project.kane(&["generate", "arm.toml", "--abi", "c"]).code,
+        0
+    );
+    assert_eq!(project.kane(&["check", "arm.toml", "--abi", "c"]).code, 0);
+    // What people wrote is nothing of ours.
+    project.write("arm.json", "{}");
+    assert_eq!(project.kane(&["check", "arm.toml", "--abi", "c"]).code, 0);
 }

@@ -65,6 +65,32 @@ fn frames_are_told_by_their_names() {
 }
 
 #[test]
+fn a_frame_at_the_origin_is_told_too() {
+    let ran = told(
+        |text| text.to_owned() + "\n[[frame]]\nname = \"tip\"\n",
+        &["--functions", "bias"],
+    );
+    assert_eq!(ran.code, 1);
+    assert_eq!(
+        ran.out,
+        "values\n  added    frame tip: body  the inertial frame\n"
+    );
+}
+
+#[test]
+fn what_one_model_says_itself_is_not_asked_of_it() {
+    let project = Project::empty();
+    project.write("arm.urdf", ARM_URDF);
+    let converted = project.kane(&["convert", "arm.urdf", "--base", "free", "-o", "arm.toml"]);
+    assert_eq!(converted.code, 0, "{}", converted.err);
+    let ran = project.kane(&["diff", "arm.urdf", "arm.toml", "--base", "free"]);
+    assert!(ran.err.is_empty(), "{}", ran.err);
+    assert!(!ran.out.contains("values"), "{}", ran.out);
+    let ran = project.kane(&["diff", "arm.toml", "arm.toml", "--base", "free"]);
+    assert_eq!(ran.code, 2);
+}
+
+#[test]
 fn number_that_becomes_a_parameter_is_told_with_the_operations_that_it_costs() {
     let (_, said) = edited(|text| text.replace("mass = 1.5", "mass = { runtime = 1.5 }"));
     assert!(
@@ -109,6 +135,26 @@ fn renamed_joint_moves_nothing() {
       renamed  fore_theta2_dot -> elbow_dot  2
     bodies and joints
       added    fore: joint_name  elbow
+    ");
+}
+
+#[test]
+fn renamed_body_keeps_its_places() {
+    let (code, said) = edited(|text| {
+        let text = text.replace("name = \"fore\"", "name = \"shank\"");
+        text.replace("mass = 1.5", "mass = 1.25")
+    });
+    assert_eq!(code, 1);
+    let (said, _) = said.split_once("operations").unwrap();
+    insta::assert_snapshot!(said, @"
+    names in arrays over bodies
+      renamed  fore -> shank  1
+    names in q
+      renamed  fore_theta2 -> shank_theta2  2
+    names in u
+      renamed  fore_theta2_dot -> shank_theta2_dot  2
+    values
+      changed  shank: mass  1.5 -> 1.25
     ");
 }
 
@@ -449,3 +495,8 @@ fn formats_of_models_make_no_difference() {
     let ran = project.kane(&["diff", robot, "robot.toml"]);
     assert_eq!((ran.code, ran.out.as_str()), (0, ""), "{}", ran.err);
 }
+
+const ARM_URDF: &str = "<robot name='arm'><link name='base'><inertial><mass value='2'/>
+<inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link><link name='fore'><inertial><mass value='1'/>
+<inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link>
+<joint name='j' type='continuous'><parent link='base'/><child link='fore'/></joint></robot>";

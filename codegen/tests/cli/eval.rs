@@ -448,7 +448,7 @@ fn what_cannot_be_differentiated_is_told_why() {
         ),
         (
             "hessian(vjp(bias; q); q)",
-            "`vjp(bias; q)` is a derivative itself, and cannot be differentiated",
+            "`vjp(bias; q)` is a derivative itself (second ones are `hessian(F; X)`), and cannot be differentiated",
         ),
         (
             "packed(bias)",

@@ -119,7 +119,9 @@ fn sites_move_as_mujoco_says() {
         let [of_q, of_u] = places(&reference);
         let sites = reference["sites"].as_array().unwrap();
         assert!(sites.len() >= 5);
-        for state in reference["states"].as_array().unwrap() {
+        let states = reference["states"].as_array().unwrap();
+        assert!(states.len() >= 3);
+        for state in states {
             let qpos = flat(&state["qpos"]);
             let q: Vec<f64> = of_q.iter().map(|place| qpos[*place]).collect();
             for (place, site) in sites.iter().enumerate() {

@@ -334,7 +334,7 @@ fn robots_are_where_pinocchio_sees_them() {
         let reference: serde_json::Value =
             serde_json::from_str(&text("reference.json")).expect("it is JSON");
         let links = reference["links"].as_array().expect("it lists links");
-        let mut n_velocities = 0;
+        let (mut n_poses, mut n_velocities) = (0, 0);
         let none = BTreeSet::new();
         let plans = Plans::new(&tree, &none);
         let mut chosen = BTreeMap::new();
@@ -354,6 +354,7 @@ fn robots_are_where_pinocchio_sees_them() {
             // Some samples are of other quantities alone.
             let placements = sample["link_placements"].as_array();
             for (link, placement) in links.iter().zip(placements.into_iter().flatten()) {
+                n_poses += 1;
                 let link = link.as_str().expect("it is a name");
                 let placement = flat(placement);
                 let expected = [&transposed(&placement[..9])[..], &placement[9..]].concat();
@@ -383,6 +384,7 @@ fn robots_are_where_pinocchio_sees_them() {
                 );
             }
         }
+        assert!(n_poses > 0, "no pose was compared");
         assert!(n_velocities > 0, "no velocity was compared");
     }
 }

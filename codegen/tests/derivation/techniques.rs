@@ -205,6 +205,12 @@ fn every_technique_has_its_gain() {
         )
         .unwrap();
     }
+    for (column, (name, _)) in of_dynamics().enumerate() {
+        let cells = text
+            .lines()
+            .filter_map(|row| row.split('|').nth(4 + column));
+        assert!(cells.into_iter().any(|cell| cell.contains('+')), "{name}");
+    }
     let all: BTreeSet<Technique> = Technique::ALL.iter().map(|(_, one)| *one).collect();
     assert_eq!(all.len(), Technique::ALL.len());
     let page = format!("{}/../docs/performance.md", env!("CARGO_MANIFEST_DIR"));

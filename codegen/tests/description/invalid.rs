@@ -57,6 +57,7 @@ mod config_file {
 
     files! { FILES, is_refused:
         abi_of_a_module_without_a_name
+        keys_of_other_tools
         absolute_path
         all_and_more
         backslash
@@ -197,6 +198,7 @@ mod urdf_file {
     files! { WARNINGS, is_warned_of:
         inertial_without_mass
         robot_with_empty_name
+        limit_of_a_planar_joint
         limit_without_range
         missing_limit
         repeated_elements
@@ -271,7 +273,11 @@ files! { FILES, description_is_refused:
     axis_not_expected
     body_attachment_too_short
     body_is_number
+    body_as_a_table_twice
     body_is_one_table
+    closed_loop
+    damping_of_an_empty_list
+    joint_that_is_a_screw
     body_on_itself
     cycle
     damping_by_coordinate_beside_an_axis
@@ -362,6 +368,7 @@ files! { FILES, description_is_refused:
     rotation_is_not_quite_orthogonal
     rotation_is_reflection
     rotation_is_too_large
+    rotation_by_angles
     rotation_row_is_number
     rotation_with_two_rows
     runtime_is_string

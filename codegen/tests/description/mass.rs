@@ -72,7 +72,7 @@ fn massless_bodies_may_carry_massive_ones() {
         "xx = 0, yy = 0, zz = 0, xy = 0",
     );
     let text = format!(
-        "name = \"s\"\nlower_bodies = [0, 1]\n{cross}{}",
+        "name = \"s\"\ngravity = [0, 0, 0]\nlower_bodies = [0, 1]\n{cross}{}",
         body("shaft", "[\"theta2\"]")
     );
     assert!(build(&text).unwrap().warnings.is_empty());
@@ -87,7 +87,7 @@ fn a_massless_frame_leaves_the_mass_centre_of_a_massless_body_where_it_is() {
         )
     };
     let text = format!(
-        "name = \"s\"\nlower_bodies = [0, 1, 1]\n{}body_attachment = [0.0, 0.0, 1.0]\n{}{}",
+        "name = \"s\"\ngravity = [0, 0, 0]\nlower_bodies = [0, 1, 1]\n{}body_attachment = [0.0, 0.0, 1.0]\n{}{}",
         massless("cross", "[\"theta1\"]"),
         massless("frame", "\"fixed\""),
         body("shaft", "[\"theta2\"]"),
@@ -112,7 +112,7 @@ fn smallest_and_largest_scales_are_systems() {
     for (mass, length) in [(1e-120, 1e-30), (1e120, 1e30), (1e-9, 1e6), (1e12, 1e-6)] {
         let inertia = 0.1 * mass * length * length;
         let text = format!(
-            "name = \"s\"\nlower_bodies = [0, 1]\n{}",
+            "name = \"s\"\ngravity = [0, 0, 0]\nlower_bodies = [0, 1]\n{}",
             ["a", "b"]
                 .map(|name| body(name, "\"free\"")
                     .replace("mass = 2.0", &format!("mass = {mass:e}"))
@@ -144,7 +144,7 @@ fn the_mass_centre_of_the_only_part_with_mass_stays_as_written() {
             "xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.01",
             "xx = 0, yy = 0, zz = 0, xy = 0",
         );
-    let text = format!("name = \"s\"\nlower_bodies = [0, 1]\n{arm}{tool}");
+    let text = format!("name = \"s\"\ngravity = [0, 0, 0]\nlower_bodies = [0, 1]\n{arm}{tool}");
     let tree = build(&text).unwrap().tree;
     let values = |name: &str| {
         let function = Function::find(name).unwrap();

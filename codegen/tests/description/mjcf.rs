@@ -452,3 +452,18 @@ fn inertia_that_a_bound_raises_may_be_absent() {
     let body = only(before, "<body><inertial pos=\"0 0 0\" mass=\"1\"/></body>");
     assert_eq!(body.inertia.map(number), [0.01, 0.01, 0.01, 0.0, 0.0, 0.0]);
 }
+
+#[test]
+fn names_of_ours_give_way_to_those_of_the_file() {
+    let model = read(
+        "<mujoco><worldbody><body name=\"b\"><joint/><geom size=\"1\"/><site name=\"b\"/><site name=\"b_site\"/>
+           <body name=\"c\"><joint name=\"b\"/><geom size=\"1\"/></body></body></worldbody></mujoco>",
+    );
+    let joints = model.bodies.iter().filter_map(|body| body.joint_name());
+    let joints: Vec<&str> = joints.map(|name| name.value.as_str()).collect();
+    assert_eq!(joints, ["b_2", "b"]);
+    let frames = model.frames.iter().filter_map(|frame| frame.name.as_ref());
+    let frames: Vec<&str> = frames.map(|name| name.value.as_str()).collect();
+    assert_eq!(frames, ["b_site_site", "b_site"]);
+    assert!(kane_codegen::tree::build(&model).is_ok());
+}

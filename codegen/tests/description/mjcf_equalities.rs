@@ -185,6 +185,53 @@ fn ties_to_motion_capture_are_left_out_with_a_warning() {
 }
 
 #[test]
+fn bodies_that_follow_motion_capture_are_known_by_the_names_of_their_copies() {
+    let text = |end: &str| {
+        format!(
+            "<mujoco><worldbody><replicate count=\"2\" offset=\"1 0 0\">
+  <body name=\"m\" mocap=\"true\"><site name=\"s\"/></body></replicate>
+  <body name=\"m\"><joint name=\"a\"/><geom size=\"1\"/></body>
+  <body name=\"z\"><joint name=\"b\"/><geom size=\"1\"/></body>
+</worldbody><equality>{end}</equality></mujoco>"
+        )
+    };
+    for (end, n_errors) in [
+        ("<weld body1=\"z\" body2=\"m0\"/>", 0),
+        ("<connect site1=\"s1\" site2=\"t\"/>", 0),
+        ("<weld body1=\"z\" body2=\"m\"/>", 1),
+    ] {
+        assert_eq!(errors(&parse(&text(end), &[])).len(), n_errors, "{end}");
+    }
+}
+
+#[test]
+fn ties_that_say_the_same_are_one() {
+    let first = "<joint joint1=\"a\" joint2=\"b\" polycoef=\"0 2 0 0 0\"/>";
+    for (second, n_errors) in [
+        (first, 0),
+        (
+            "<joint joint1=\"b\" joint2=\"a\" polycoef=\"0 0.5 0 0 0\"/>",
+            0,
+        ),
+        (
+            "<joint joint1=\"b\" joint2=\"a\" polycoef=\"0 2 0 0 0\"/>",
+            1,
+        ),
+        (
+            "<joint joint1=\"a\" joint2=\"b\" polycoef=\"1 2 0 0 0\"/>",
+            1,
+        ),
+    ] {
+        let model = parse(&tied(&format!("{first}{second}")), &[]);
+        assert_eq!(errors(&model).len(), n_errors, "{second}");
+        let [(joint, leader, ..)] = mimics(&model)[..] else {
+            panic!("{second}: one joint follows");
+        };
+        assert_eq!((joint, leader), ("a", "b"));
+    }
+}
+
+#[test]
 fn user_leaves_out_all_equalities_a_kind_or_one() {
     let text = tied(
         "<connect name=\"x\" body1=\"one\"/><connect body1=\"two\"/><joint joint1=\"a\" joint2=\"b\"/>",

@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use kane_test_support::compare::larger;
+
 use crate::mjcf_support::{
     SAME, Vector, attachment_rotation, close, elementary, faults, number, only, oriented, parse,
     product, read, transposed, vector,
@@ -149,7 +151,7 @@ fn capsule_is_the_sum_of_its_slices() {
     let height = 2.0 * (half + radius) / f64::from(slices);
     for slice in 0..slices {
         let z = (f64::from(slice) + 0.5) * height - half - radius;
-        let beyond = (z.abs() - half).max(0.0);
+        let beyond = larger(z.abs() - half, 0.0);
         let square = radius * radius - beyond * beyond;
         let disc = PI * square * height;
         mass += disc;

@@ -120,7 +120,7 @@ fn inertias_in_kilogram_square_millimetres_are_a_warning() {
 
 #[test]
 fn gravity_in_millimetres_is_a_warning() {
-    let text = format!("gravity = [0.0, 0.0, -9810.0]\n{}", arm());
+    let text = arm().replace("gravity = [0, 0, 0]", "gravity = [0.0, 0.0, -9810.0]");
     insta::assert_snapshot!(build(&text).unwrap().warnings.brief().lines[0].1);
 }
 

@@ -33,7 +33,7 @@ pub fn system(lower_bodies: &str, bodies: &[(&str, &str)]) -> String {
         .map(|(name, joint)| body(name, joint))
         .collect();
     format!(
-        "name = \"system\"\nlower_bodies = {lower_bodies}\n\n{}",
+        "name = \"system\"\nlower_bodies = {lower_bodies}\ngravity = [0, 0, 0]\n{}",
         bodies.join("\n")
     )
 }

@@ -41,9 +41,15 @@ fn read(reader: &mut Reader, document: &::toml::de::DeTable<'_>, source: &Source
     let root = reader.root(document, &ROOT_KEYS);
     let name = reader.required(&root, "name", "name = \"pendulum\"");
     let name = name.and_then(|item| reader.string(item, "`name`"));
-    let gravity = root
-        .get("gravity")
-        .map_or_else(no_gravity, |item| value::vector(reader, item, "`gravity`"));
+    let gravity = root.get("gravity");
+    if let (None, Some(name)) = (gravity, &name) {
+        let note = Diagnostic::note("the model has no `gravity`: none acts");
+        let note = note.at(name.span, "no gravity");
+        reader
+            .faults
+            .push(note.help("write for example `gravity = [0.0, 0.0, -9.81]`"));
+    }
+    let gravity = gravity.map_or_else(no_gravity, |item| value::vector(reader, item, "`gravity`"));
     let lower = reader.required(&root, "lower_bodies", "lower_bodies = [0, 1, 1]");
     let lower_bodies = lower.and_then(|item| lower_bodies(reader, item));
     let order = match root.get("order") {

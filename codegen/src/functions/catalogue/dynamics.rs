@@ -33,28 +33,6 @@ pub(super) const GENERALIZED_FORCES: Function = Function {
     ..PLAIN
 };
 
-pub(super) const MASS_MATRIX_PACKED: Function = Function {
-    name: "mass_matrix_packed",
-    trait_name: Some("MassMatrixPacked"),
-    arguments: &[Argument::Q],
-    outputs: &[Output::new(
-        "entries",
-        Shape::MASS_MATRIX_PACKED,
-        Unit::MASS_MATRIX,
-    )],
-    read_off: Some(ReadOff {
-        matrix: KnownMatrix::Mass,
-        entries: roots::dynamics::packed_of_mass,
-    }),
-    doc: &[
-        "The entries of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero.",
-        "`MASS_MATRIX_PACKED_PLACES` says in which row and column each stands, row after row.",
-    ],
-    derivation: Derivation::EitherWay(roots::dynamics::mass_matrix_packed),
-    terms: Terms::OfMatrix,
-    ..PLAIN
-};
-
 pub(super) const FORCING: Function = Function {
     name: "forcing",
     trait_name: Some("Forcing"),
@@ -160,23 +138,5 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     ],
     derivation: Derivation::EitherWay(roots::dynamics::forward_dynamics),
     terms: Terms::OfMatrix,
-    ..PLAIN
-};
-
-pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
-    name: "forward_dynamics_pivots",
-    trait_name: Some("ForwardDynamicsPivots"),
-    arguments: &[Argument::Q],
-    outputs: &[Output::new(
-        "pivots",
-        Shape::SPEEDS,
-        Unit::BySpeed(["kg m^2", "kg"]),
-    )],
-    doc: &[
-        "The pivots `D` of the mass matrix, `L^T D L` along the tree, by speed: all positive where it is positive definite.",
-    ],
-    derivation: Derivation::EitherWay(roots::dynamics::pivots),
-    terms: Terms::OfMatrix,
-    mass_matrix: MassMatrixUse::Factors,
     ..PLAIN
 };

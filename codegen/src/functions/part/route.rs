@@ -22,7 +22,7 @@ pub(super) enum Route {
     Direct(Direct),
 }
 
-/// A way to derivatives of dynamics in which no sweep goes through a solver.
+/// A way to derivatives that is not a sweep over all that makes the values, and through no solver.
 pub(in crate::functions) enum Direct {
     /// They are the entries of another function.
     Function(&'static Function),

@@ -2,16 +2,18 @@
 
 use std::collections::BTreeSet;
 
+use proc_macro2::Literal;
 use quote::quote;
 use syn::{Item, parse_quote};
 
 use super::{
     signature,
+    syntax::hexadecimal,
     text::{banner, doc, ident, printed},
 };
 use crate::{
     functions::{Access, Element, Length, NOMINAL, PREPARE, Signature},
-    listing::Module,
+    listing::{Facts, Module, constants::FINGERPRINT},
     printers::c::rules::{RULES, SCALARS, symbol},
 };
 
@@ -26,7 +28,7 @@ pub(crate) fn source(module: &Module, name: &str) -> String {
         text.push_str(format!("// {line}").trim_end());
         text.push('\n');
     }
-    let mut items = vec![imports(&signatures, name)];
+    let mut items = vec![imports(&signatures, name), belongs_together(module, name)];
     for signature in &signatures {
         items.extend(SCALARS.map(|scalar| function(signature, name, scalar)));
     }
@@ -49,9 +51,26 @@ fn imports(signatures: &[&Signature], name: &str) -> Item {
         };
         constants.chain(element)
     });
-    let named: BTreeSet<&str> = named.collect();
+    let named: BTreeSet<&str> = named.chain([FINGERPRINT]).collect();
     let (name, named) = (ident(name), named.into_iter().map(ident));
     parse_quote!(use super::#name::{#(#named),*};)
+}
+
+/// What does not compile beside a module of another model, or with other prepared parameters than the header has.
+fn belongs_together(module: &Module, name: &str) -> Item {
+    let Facts { origin, fields, .. } = &module.facts;
+    let fingerprint = hexadecimal(origin.fingerprint);
+    let prepared = Literal::usize_unsuffixed(fields.len() * size_of::<f64>());
+    let message = format!(
+        "`{name}_c.rs` and `{name}.h` are not of the model or the options of `{name}.rs`: generate them together"
+    );
+    parse_quote! {
+        const _: () = {
+            let is_same_model = FINGERPRINT == #fingerprint;
+            let has_same_size = core::mem::size_of::<Prepared<f64>>() == #prepared;
+            assert!(is_same_model && has_same_size, #message);
+        };
+    }
 }
 
 fn function(signature: &Signature, module: &str, scalar: &str) -> Item {

@@ -4,12 +4,12 @@
 use super::inverse_dynamics;
 use crate::{
     expr::{Expr, ExprGraph, Purpose, Vector},
-    given::{self, Accelerations},
+    given::Accelerations,
     id::{BodyId, BodyMap},
     recursive::{
         links::{
             linkage::Linkage,
-            passage::{Drive, Passenger},
+            passage::{Drive, Passenger, speed_rates},
             rotation::Turn,
             wrench::Wrench,
         },
@@ -51,10 +51,6 @@ struct Starting {
     a: Vector,
 }
 
-fn accelerations(graph: &mut ExprGraph, motions: [Option<Motion>; 3]) -> Vector {
-    motions.map(|motion| given::acceleration(graph, motion, Accelerations::Given))
-}
-
 impl Passenger for Starting {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
         let swept = graph.cross(self.alpha, offset);
@@ -63,12 +59,12 @@ impl Passenger for Starting {
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         [self.alpha, self.a] = [self.alpha, self.a].map(|v| rotation.forward(graph, v));
-        let own = accelerations(graph, drive.motions());
+        let own = speed_rates(graph, drive.motions(), Accelerations::Given);
         self.alpha = graph.add_vectors(self.alpha, own);
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let own = accelerations(graph, motions);
+        let own = speed_rates(graph, motions, Accelerations::Given);
         self.a = graph.add_vectors(self.a, own);
     }
 }

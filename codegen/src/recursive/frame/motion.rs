@@ -12,7 +12,7 @@ use crate::{
         links::{
             link::{self, Link},
             link_velocity::LinkVelocity,
-            passage::{Drive, Passenger, speeds},
+            passage::{Drive, Passenger, speed_rates, speeds},
             rotation::Turn,
         },
         plan::Plan,
@@ -198,7 +198,7 @@ impl SeenFrame {
         let Some(accelerations) = self.accelerations else {
             return;
         };
-        let second = accelerated_by(graph, motions, accelerations);
+        let second = speed_rates(graph, motions, accelerations);
         let both = graph.add_vectors(before.linear, self.velocity.linear);
         let swung = graph.cross(second, self.position);
         let convected = graph.cross(rates, both);
@@ -229,7 +229,7 @@ impl Passenger for SeenFrame {
         let rates = speeds(graph, motions);
         self.velocity.linear = graph.add_vectors(self.velocity.linear, rates);
         if let Some(accelerations) = self.accelerations {
-            let second = accelerated_by(graph, motions, accelerations);
+            let second = speed_rates(graph, motions, accelerations);
             self.acceleration.linear = graph.add_vectors(self.acceleration.linear, second);
         }
     }
@@ -266,7 +266,7 @@ impl Passenger for LinkAcceleration {
             *vector = rotation.forward(graph, *vector);
         }
         let rates = speeds(graph, drive.motions());
-        let second = accelerated_by(graph, drive.motions(), self.accelerations);
+        let second = speed_rates(graph, drive.motions(), self.accelerations);
         let convected = graph.cross(self.angular, rates);
         for term in [second, convected] {
             *angular = graph.add_vectors(*angular, term);
@@ -279,17 +279,9 @@ impl Passenger for LinkAcceleration {
         let two = graph.number(2.0);
         let twice = graph.scale(two, rates);
         let convected = graph.cross(self.angular, twice);
-        let second = accelerated_by(graph, motions, self.accelerations);
+        let second = speed_rates(graph, motions, self.accelerations);
         for term in [second, convected] {
             self.acceleration.linear = graph.add_vectors(self.acceleration.linear, term);
         }
     }
-}
-
-fn accelerated_by(
-    graph: &mut ExprGraph,
-    motions: [Option<Motion>; 3],
-    accelerations: Accelerations<'_>,
-) -> Vector {
-    motions.map(|motion| given::acceleration(graph, motion, accelerations))
 }

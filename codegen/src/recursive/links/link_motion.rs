@@ -7,7 +7,7 @@
 use super::{
     link::Link,
     linkage::Linkage,
-    passage::{Drive, Passenger},
+    passage::{Drive, Passenger, speed_rates, speeds},
     rotation::Turn,
     wrench::Wrench,
 };
@@ -164,9 +164,9 @@ impl<'a> Moving<'a> {
 
     /// Adds a relative angular velocity: the lower axes turn under the new ones, by `w × relative`.
     fn add_angular_velocity(&mut self, graph: &mut ExprGraph, motions: [Motion; 3]) {
-        let relative = motions.map(|motion| given::speed(graph, Some(motion)));
-        let second =
-            motions.map(|motion| given::acceleration(graph, Some(motion), self.accelerations));
+        let motions = motions.map(Some);
+        let relative = speeds(graph, motions);
+        let second = speed_rates(graph, motions, self.accelerations);
         let turned = graph.cross(self.w, relative);
         let alpha = graph.add_vectors(self.alpha, turned);
         self.w = graph.add_vectors(self.w, relative);
@@ -267,8 +267,8 @@ impl Passenger for Moving<'_> {
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let s_dot = motions.map(|motion| given::speed(graph, motion));
-        let s_ddot = motions.map(|motion| given::acceleration(graph, motion, self.accelerations));
+        let s_dot = speeds(graph, motions);
+        let s_ddot = speed_rates(graph, motions, self.accelerations);
         let two = graph.number(2.0);
         let twice = graph.scale(two, s_dot);
         let coriolis = graph.cross(self.w, twice);

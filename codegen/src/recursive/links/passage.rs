@@ -26,7 +26,7 @@ use super::{
 };
 use crate::{
     expr::{Axis, ExprGraph, Matrix, Vector},
-    given::{self, orientation},
+    given::{self, Accelerations, orientation},
     id::BodyId,
     tree::{Coordinate, Joint, Motion, Tree},
 };
@@ -82,6 +82,15 @@ impl Drive {
 /// The speeds of motions, x, y, z; zero where there is none.
 pub(in crate::recursive) fn speeds(graph: &mut ExprGraph, motions: [Option<Motion>; 3]) -> Vector {
     motions.map(|motion| given::speed(graph, motion))
+}
+
+/// The accelerations of motions, which are the rates of their speeds, in the same way.
+pub(in crate::recursive) fn speed_rates(
+    graph: &mut ExprGraph,
+    motions: [Option<Motion>; 3],
+    accelerations: Accelerations<'_>,
+) -> Vector {
+    motions.map(|motion| given::acceleration(graph, motion, accelerations))
 }
 
 /// The way from a lower link to a link.

@@ -9,4 +9,5 @@ mod system;
 
 pub use module::ModuleError;
 pub(super) use module::coordinates;
+pub(super) use system::LOWER;
 pub use system::{Body, Layout, Outline, Values};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 /// The key of a body's lower body.
-pub(super) const LOWER: &str = "lower_body";
+pub(in crate::report) const LOWER: &str = "lower_body";
 /// The lower body of a root.
 pub(super) const INERTIAL: &str = "the inertial frame";
 

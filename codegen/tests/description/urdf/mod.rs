@@ -366,9 +366,7 @@ fn limits_are_kept() {
     let endless = Some([None, None, Some(4.0), Some(30.0)]);
     assert_eq!(limits(&joint("continuous", limit)), endless);
     assert_eq!(limits(&joint("continuous", "")), None);
-    for kind in ["fixed", "planar", "floating"] {
-        assert_eq!(limits(&joint(kind, limit)), None);
-    }
+    assert_eq!(limits(&joint("fixed", limit)), None);
     // One end of a range alone: the other is zero.
     let half = joint("revolute", "<limit upper='2' effort='30' velocity='4'/>");
     assert_eq!(
@@ -388,6 +386,20 @@ fn damping_and_friction_are_kept() {
     assert_eq!(none.friction, PerCoordinate::Absent);
     assert_eq!(none.armature, PerCoordinate::Absent);
     assert_eq!(none.stiffness, PerCoordinate::Absent);
+}
+
+#[test]
+fn damping_about_all_axes_acts_on_the_angular_velocity_alone() {
+    let robot = robot(&[("j", "floating", "a", "b", "<dynamics damping='0.5'/>")]);
+    for (chart, n_errors) in [(Chart::Quaternion, 0), (Chart::Angles, 1)] {
+        let reading = Reading {
+            chart: Some(chart),
+            ..Reading::default()
+        };
+        let faults = parse(&robot, &reading).faults;
+        let n_found = faults.iter().filter(|fault| fault.is_error()).count();
+        assert_eq!(n_found, n_errors);
+    }
 }
 
 #[test]
