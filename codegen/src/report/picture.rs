@@ -94,8 +94,9 @@ fn number(body: Option<BodyId>) -> usize {
 
 fn line(tree: &Tree, id: BodyId, coordinates: &[String]) -> String {
     let (body, number) = (tree.body(id), number(Some(id)));
-    // Where bodies are part of others, all numbers beyond them differ, which is no news.
-    let renumbered = if body.user_number == number || !tree.frames.is_empty() {
+    // Where bodies are part of others, all numbers beyond them differ, which is no news as long as they stand in the same order.
+    let is_in_order = tree.bodies.is_sorted_by_key(|body| body.user_number);
+    let renumbered = if body.user_number == number || is_in_order {
         String::new()
     } else {
         format!(" ({} in the model)", body.user_number)

@@ -11,7 +11,7 @@ use kane_codegen::description::{
 use kane_codegen::diagnostic::{Diagnostic, Source, Span, Spanned};
 use kane_codegen::tree::Order;
 
-use kane_test_support::{models::system, random::Random};
+use kane_test_support::{models, random::Random};
 
 /// All that a description says, without the places where it says it.
 fn said(description: &Description) -> String {
@@ -39,6 +39,16 @@ fn said(description: &Description) -> String {
         }
     }
     said
+}
+
+/// A system as it is written.
+fn system(lower_bodies: &str, bodies: &[(&str, &str)]) -> String {
+    let text = models::system(lower_bodies, bodies);
+    let (head, rest) = text
+        .split_once("gravity = [0, 0, 0]\n")
+        .expect("it has none");
+    let (name, lower) = head.split_once('\n').expect("the name is a line");
+    format!("{name}\ngravity = [0.0, 0.0, 0.0]\n{lower}\n{rest}")
 }
 
 fn parse(text: &str) -> Description {
@@ -173,9 +183,7 @@ fn random_descriptions_survive() {
 #[test]
 fn what_is_absent_or_has_its_default_is_left_out() {
     let text = system("[0]", &[("a", "[]")]);
-    let longer = format!(
-        "gravity = [0, 0.0, -0.0]\norder = \"body\"\n{text}locked = {{}}\nlimits = {{}}\ndamping = {{}}\n"
-    );
+    let longer = format!("order = \"body\"\n{text}locked = {{}}\nlimits = {{}}\ndamping = {{}}\n");
     assert_eq!(toml::write(&parse(&longer)).unwrap(), text);
 }
 

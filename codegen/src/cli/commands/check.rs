@@ -30,7 +30,7 @@ use crate::cli::{
 /// counts, are new or are gone. --lines adds the lines as a unified diff. It then prints the command that updates the files,
 /// and the functions that need more operations than `budget` in kane.toml allows. If it checks all of kane.toml, it also
 /// reports files that no system in it produces: in a folder named `generated` every file except `mod.rs` and hidden files, and in
-/// other output folders the files that begin with a banner of `kane`.
+/// other output folders the files that begin with a banner of `kane`. Of a single model, it reports those beside the module.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Exit codes:\n  \
     0  every file is up to date\n  \

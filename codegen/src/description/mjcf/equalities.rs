@@ -259,7 +259,7 @@ impl<'d, 'a> Equality<'d, 'a> {
         let owned = |name: Spanned<&str>| Spanned::new(self.around.name(name.value), name.span);
         ties.add(
             reader,
-            Equation {
+            &Equation {
                 joint: owned(joint),
                 leader: leader.map(owned),
                 shift: polynomial[0],

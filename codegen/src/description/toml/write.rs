@@ -78,12 +78,7 @@ impl Writer {
 
     fn system(&mut self, description: &Description) {
         self.line("name", description.name.as_ref().map(string));
-        let zero = |component: &Given<Scalar>| {
-            component.is_some_and(|component| component.value == Scalar::Baked(0.0))
-        };
-        if !description.gravity.iter().all(zero) {
-            self.line("gravity", vector(&description.gravity));
-        }
+        self.line("gravity", vector(&description.gravity));
         let lower_bodies = description.lower_bodies.as_ref();
         let lower_bodies = lower_bodies.and_then(|numbers| {
             list(

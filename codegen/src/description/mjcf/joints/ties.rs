@@ -35,26 +35,23 @@ pub(in crate::description::mjcf) type Held = BTreeMap<String, f64>;
 
 impl Ties {
     /// Adds an equation, the other way round where its joint is tied already; of two that say the same the first is enough.
-    pub(in crate::description::mjcf) fn add(&mut self, reader: &mut Reader, equation: Equation) {
-        let ways = [Some(equation.clone()), turned(&equation)];
+    pub(in crate::description::mjcf) fn add(&mut self, reader: &mut Reader, equation: &Equation) {
+        let ways = [Some(equation.clone()), turned(equation)];
         let ways: Vec<Equation> = ways.into_iter().flatten().collect();
         let first_of = |way: &Equation| self.joints.get(&way.joint.value);
         let same = |way: &&Equation| first_of(way).is_some_and(|first| first.ties_as(way));
         if let Some(way) = ways.iter().find(same) {
             let first = &self.joints[&way.joint.value];
             if !first.is_as(way) {
-                reader.faults.push(twice(first, &equation));
+                reader.faults.push(twice(first, equation));
             }
             return;
         }
-        match ways.iter().find(|way| first_of(way).is_none()) {
-            Some(way) => {
-                self.joints.insert(way.joint.value.clone(), way.clone());
-            }
-            None => {
-                let first = &self.joints[&equation.joint.value];
-                reader.faults.push(twice(first, &equation));
-            }
+        if let Some(way) = ways.iter().find(|way| first_of(way).is_none()) {
+            self.joints.insert(way.joint.value.clone(), way.clone());
+        } else {
+            let first = &self.joints[&equation.joint.value];
+            reader.faults.push(twice(first, equation));
         }
     }
 

@@ -34,20 +34,19 @@ fn by_motions(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> (SpeedMatrix, 
     let n = tree.n_speeds;
     let mut rows = vec![vec![graph.zero(); n]; 3 * n];
     graph.enter(None);
-    for own in 0..n {
-        for by in 0..n {
-            let [speed, cause] = [own, by].map(SpeedId::new);
-            let (inner, outer) = if carrying.carries(cause, speed) {
-                (by, own)
-            } else if own == by || carrying.carries(speed, cause) {
-                (own, by)
-            } else {
-                continue;
-            };
-            let changed = graph.cross(axes[inner], columns[outer]);
-            for (axis, entry) in changed.into_iter().enumerate() {
-                rows[axis * n + own][by] = entry;
-            }
+    let speeds = || (0..n).map(SpeedId::new);
+    let pairs = speeds().flat_map(|own| speeds().map(move |by| [own, by]));
+    for [own, by] in pairs {
+        let [inner, outer] = if carrying.carries(by, own) {
+            [by, own]
+        } else if own == by || carrying.carries(own, by) {
+            [own, by]
+        } else {
+            continue;
+        };
+        let changed = graph.cross(axes[inner.index()], columns[outer.index()]);
+        for (axis, entry) in changed.into_iter().enumerate() {
+            rows[axis * n + own.index()][by.index()] = entry;
         }
     }
     (rows, columns)
