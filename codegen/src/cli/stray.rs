@@ -54,13 +54,11 @@ pub(crate) fn beside(jobs: &[Job]) -> Result<Vec<(PathBuf, String)>, Failures> {
         };
         for kind in CompanionKind::ALL {
             for path in kind.beside(module).filter(|path| !produced.contains(path)) {
-                let is_file = path.is_file();
-                if is_file
-                    && is_ours(&path).map_err(|source| Error::Io {
-                        path: path.clone(),
-                        source,
-                    })?
-                {
+                let io = |source| Error::Io {
+                    path: path.clone(),
+                    source,
+                };
+                if path.is_file() && is_ours(&path).map_err(io)? {
                     found.push((path, job.asks_by(kind)));
                 }
             }

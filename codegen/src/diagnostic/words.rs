@@ -24,7 +24,10 @@ pub(crate) fn is_unprintable(character: char) -> bool {
 /// Bytes of the longest word for which one that is near is looked for.
 const LONGEST: usize = 100;
 
-/// The candidate that `word` was probably meant to be, if one is near enough.
+/// Letters of the shortest word that tells with which name it begins.
+const SHORTEST: usize = 3;
+
+/// The candidate that `word` was probably meant to be: one that is near enough, or the only one that begins so.
 pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let lower = word.to_lowercase();
     // A very long word is near nothing, and the distance costs the product of both lengths.
@@ -38,6 +41,15 @@ pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
         .filter(|(edits, candidate)| *edits <= candidate.chars().count() / 3)
         .min_by_key(|(edits, _)| *edits)
         .map(|(_, candidate)| candidate)
+        .or_else(|| begun(&lower, candidates))
+}
+
+/// The one candidate that begins so.
+fn begun<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+    let is_begun = |candidate: &&&str| candidate.to_lowercase().starts_with(word);
+    let mut begun = candidates.iter().filter(is_begun);
+    let only = begun.next().filter(|_| begun.next().is_none());
+    only.filter(|_| word.chars().count() >= SHORTEST).copied()
 }
 
 /// Insertions, deletions, replacements and swaps of neighbours that lead from one word to the other.

@@ -38,22 +38,22 @@ fn places_may_be_named() {
     assert_eq!((listed.code, &listed.out), (0, &named.out));
     let ran = arm(
         "bias",
-        r#"{"q": {"fore_theta": 0.3}, "u": {"fore": [1], "upper_s2": 1, "upper_s2_dot": 2}}"#,
+        r#"{"q": {"fore_theta": 0.3}, "u": {"knee": [1], "upper_s2": 1, "upper_s2_dot": 2}}"#,
     );
     assert_eq!(ran.code, 2);
     insta::assert_snapshot!(ran.err, @r#"
     error: `q.fore_theta` names none of the coordinates
      --> state.json:1:8
       |
-    1 | {"q": {"fore_theta": 0.3}, "u": {"fore": [1], "upper_s2": 1, "upper_s2_dot": 2}}
+    1 | {"q": {"fore_theta": 0.3}, "u": {"knee": [1], "upper_s2": 1, "upper_s2_dot": 2}}
       |        ^^^^^^^^^^^^ here
       |
       = help: did you mean `fore_theta2`?
 
-    error: `u.fore` names none of the speeds
+    error: `u.knee` names none of the speeds
      --> state.json:1:34
       |
-    1 | {"q": {"fore_theta": 0.3}, "u": {"fore": [1], "upper_s2": 1, "upper_s2_dot": 2}}
+    1 | {"q": {"fore_theta": 0.3}, "u": {"knee": [1], "upper_s2": 1, "upper_s2_dot": 2}}
       |                                  ^^^^^^ here
       |
       = help: the speeds are upper_theta1, upper_s2, fore_theta2
@@ -61,7 +61,7 @@ fn places_may_be_named() {
     error: `u.upper_s2_dot` is `upper_s2` by another name; expected one
      --> state.json:1:62
       |
-    1 | {"q": {"fore_theta": 0.3}, "u": {"fore": [1], "upper_s2": 1, "upper_s2_dot": 2}}
+    1 | {"q": {"fore_theta": 0.3}, "u": {"knee": [1], "upper_s2": 1, "upper_s2_dot": 2}}
       |                                                              ^^^^^^^^^^^^^^ here
     "#);
 }

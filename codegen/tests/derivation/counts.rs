@@ -50,6 +50,14 @@ pub(crate) fn counts(
         .collect()
 }
 
+/// The counts of these alone, each in the cheapest way: what every module has beside them is left out.
+pub(crate) fn counts_of<R: ToString>(tree: &Tree, requests: &[R]) -> Vec<(String, Operations)> {
+    let names = requests.iter().map(ToString::to_string).collect();
+    let mut counts = counts(tree, Functions::Named(names), Formulation::Cheapest);
+    counts.retain(|(name, _)| !["q_dot", "normalize"].contains(&name.as_str()));
+    counts
+}
+
 fn dynamics(tree: &Tree, formulation: Formulation) -> Vec<(String, Operations)> {
     let names = NAMED.iter().map(ToString::to_string).collect();
     let mut counts = counts(tree, Functions::Named(names), formulation);
@@ -139,11 +147,7 @@ fn of_robots(names: &[&str]) -> String {
                 ..Reading::default()
             },
         );
-        let names = names.iter().map(|name| (*name).to_owned());
-        let functions = Functions::Named(names.collect());
-        let mut counts = counts(&tree, functions, Formulation::Cheapest);
-        counts.retain(|(name, _)| !["q_dot", "normalize"].contains(&name.as_str()));
-        write!(text, "{robot}\n{}", table(&counts)).unwrap();
+        write!(text, "{robot}\n{}", table(&counts_of(&tree, names))).unwrap();
     }
     text
 }
@@ -180,12 +184,7 @@ fn accelerations_beside_their_derivatives_cost_nothing() {
         let tree = model(&format!("tests/robots/{robot}/{robot}.urdf"));
         for function in ["forward_dynamics", "loaded_forward_dynamics"] {
             let derivatives = format!("d({function})/d(q, u, tau)");
-            let total = |request: &str| {
-                let functions = Functions::Named(vec![request.to_owned()]);
-                let mut counts = counts(&tree, functions, Formulation::Cheapest);
-                counts.retain(|(name, _)| name != "q_dot");
-                counts[0].1.total()
-            };
+            let total = |request: &str| counts_of(&tree, &[request])[0].1.total();
             let together = total(&format!("{function} + {derivatives}"));
             assert_eq!(together, total(&derivatives), "{robot}, {function}");
         }
@@ -250,13 +249,7 @@ fn derivatives_by_loads_and_parameters_beside_others() {
             format!("d({inner}forward_dynamics)/d(q, {by})"),
             format!("d({inner}forward_dynamics)/d(q, u, tau, {by})"),
         ];
-        let mut counts = counts(
-            &tree,
-            Functions::Named(requests.into()),
-            Formulation::Cheapest,
-        );
-        counts.retain(|(name, _)| name != "q_dot");
-        write!(text, "{path}\n{}", table(&counts)).unwrap();
+        write!(text, "{path}\n{}", table(&counts_of(&tree, &requests))).unwrap();
     }
     insta::assert_snapshot!(text);
 }
@@ -271,10 +264,7 @@ fn second_derivatives_of_robots() {
             "inverse_dynamics+vjp(inverse_dynamics; q, u)+hessian(inverse_dynamics; q, u)",
             "hessian(forward_dynamics; q, u, tau)",
         ];
-        let names = requests.iter().map(ToString::to_string).collect();
-        let mut counts = counts(&tree, Functions::Named(names), Formulation::Cheapest);
-        counts.retain(|(name, _)| name != "q_dot");
-        write!(text, "{robot}\n{}", table(&counts)).unwrap();
+        write!(text, "{robot}\n{}", table(&counts_of(&tree, &requests))).unwrap();
     }
     let [together, alone] = [
         "ur5\ninverse_dynamics_and_vjp_inverse_dynamics_q_u_and_hessian_inverse_dynamics_q_u: ",
@@ -302,9 +292,7 @@ fn accelerations_and_first_derivatives_are_free_beside_second_ones() {
     for robot in ["ur5", "panda"] {
         let tree = model(&format!("tests/robots/{robot}/{robot}.urdf"));
         let [alone, joined] = [second, &all].map(|request| {
-            let functions = Functions::Named(vec![request.to_owned()]);
-            let mut counts = counts(&tree, functions, Formulation::Cheapest);
-            counts.retain(|(name, _)| name != "q_dot");
+            let counts = counts_of(&tree, &[request]);
             assert_eq!(counts.len(), 1);
             counts[0].1
         });
@@ -412,28 +400,7 @@ fn runtime_parameters_leave_the_loop_nearly_as_it_is() {
         env!("CARGO_MANIFEST_DIR")
     ))
     .unwrap();
-    let runtime = |line: &str| {
-        let is_parameter = ["mass", "inertia", "attachment"]
-            .iter()
-            .any(|key| line.starts_with(key));
-        if !is_parameter {
-            return line.to_owned();
-        }
-        let mut out = String::new();
-        for word in line.split_inclusive([' ', ',', ']']) {
-            let number = word
-                .trim_start_matches('[')
-                .trim_end_matches([' ', ',', ']']);
-            if number.parse::<f64>().is_ok() {
-                out.push_str(&word.replace(number, &format!("{{ runtime = {number} }}")));
-            } else {
-                out.push_str(word);
-            }
-        }
-        out
-    };
-    let text: Vec<String> = text.lines().map(runtime).collect();
-    let tree = models::build(&text.join("\n")).unwrap().tree;
+    let tree = models::build(&models::at_run_time(&text)).unwrap().tree;
     assert_eq!(tree.parameters.len(), 8 * (1 + 3 + 6 + 3));
     insta::assert_snapshot!(table(&dynamics(&tree, Formulation::Recursive)));
 }

@@ -37,6 +37,9 @@ fn names_of_other_tools_lead_to_ours() {
 fn unknown_names_are_met_with_advice() {
     assert_eq!(advice("crba"), "here it is called `mass_matrix`");
     assert_eq!(advice("biass"), "did you mean `bias`?");
+    assert_eq!(advice("ALL"), "did you mean `all`?");
+    // The only one that begins so.
+    assert_eq!(advice("grav"), "did you mean `gravity_forces`?");
     assert_eq!(
         advice("tool0_point_jacobian"),
         "did you mean `point_jacobian(tool0)`?"

@@ -4,14 +4,11 @@
 
 use std::fmt::Write as _;
 
-use kane_codegen::{
-    config::{Formulation, Functions},
-    description::{Base, Reading},
-};
+use kane_codegen::description::{Base, Reading};
 
 use crate::{
     compiled::read,
-    counts::{counts, table},
+    counts::{counts_of, table},
 };
 
 /// Functions of the frame `F`.
@@ -73,9 +70,7 @@ fn of_frames(requests: &[&str]) -> String {
             let request = request.replace("(F)", &format!("({frame})"));
             request.replace("(F, ", &format!("({frame}, "))
         });
-        let functions = Functions::Named(requests.collect());
-        let mut counts = counts(&tree, functions, Formulation::Cheapest);
-        counts.retain(|(name, _)| !["q_dot", "normalize"].contains(&name.as_str()));
+        let counts = counts_of(&tree, &requests.collect::<Vec<_>>());
         write!(text, "{robot}\n{}", table(&counts)).unwrap();
     }
     text

@@ -18,6 +18,8 @@ use kane_codegen::{
     recursive::Technique::{Articulated, Carriers, Lockstep},
 };
 
+use kane_test_support::models::at_run_time;
+
 use crate::names::{Names, as_assignment};
 
 /// The eight-body example, body after body.
@@ -44,30 +46,6 @@ fn body(name: &str, k: usize, joint: &str) -> String {
          inertia = {{ xx = 0.21{k}, yy = 0.22{k}, zz = 0.23{k}, xy = 0.01{k}, xz = -0.02{k}, yz = 0.03{k} }}\n\
          attachment = [0.31{k}, -0.32{k}, 0.33{k}]\njoint = {joint}\n"
     )
-}
-
-/// The same model with every number of its bodies a parameter.
-fn at_run_time(text: &str) -> String {
-    let keys = ["mass", "inertia", "attachment"];
-    let line = |line: &str| {
-        if !keys.iter().any(|key| line.starts_with(key)) {
-            return line.to_owned();
-        }
-        let words = line.split_inclusive([' ', ',', ']']).map(|word| {
-            let number = word
-                .trim_start_matches('[')
-                .trim_end_matches([' ', ',', ']']);
-            let is_number = number.parse::<f64>().is_ok();
-            if is_number {
-                word.replace(number, &format!("{{ runtime = {number} }}"))
-            } else {
-                word.to_owned()
-            }
-        });
-        words.collect()
-    };
-    let lines: Vec<String> = text.lines().map(line).collect();
-    lines.join("\n") + "\n"
 }
 
 fn with_leaf(text: &str, lower: usize, leaf: &str) -> String {

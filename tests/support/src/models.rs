@@ -37,3 +37,27 @@ pub fn system(lower_bodies: &str, bodies: &[(&str, &str)]) -> String {
         bodies.join("\n")
     )
 }
+
+/// The same model with every mass, inertia and attachment of its bodies a parameter, number by number.
+pub fn at_run_time(text: &str) -> String {
+    let keys = ["mass", "inertia", "attachment"];
+    let line = |line: &str| {
+        if !keys.iter().any(|key| line.starts_with(key)) {
+            return line.to_owned();
+        }
+        let words = line.split_inclusive([' ', ',', ']']).map(|word| {
+            let number = word
+                .trim_start_matches('[')
+                .trim_end_matches([' ', ',', ']']);
+            let is_number = number.parse::<f64>().is_ok();
+            if is_number {
+                word.replace(number, &format!("{{ runtime = {number} }}"))
+            } else {
+                word.to_owned()
+            }
+        });
+        words.collect()
+    };
+    let lines: Vec<String> = text.lines().map(line).collect();
+    lines.join("\n") + "\n"
+}

@@ -20,16 +20,15 @@ pub(crate) fn request(text: &str, listed: Option<&Functions>) -> Result<Parsed, 
     };
     let requests = listed.map_or_else(Vec::new, Functions::requests);
     let given: Vec<&str> = requests.iter().filter_map(Parsed::given_name).collect();
-    match &faults[..] {
-        [RequestError::Unknown { name }] if nearest(name, &given).is_some() => {
-            let near = nearest(name, &given).unwrap_or_default();
-            let name = name.escaped();
-            Err(Failures::message(format!(
-                "`{name}` is no function; did you mean `{near}`, as kane.toml names one?"
-            )))
-        }
-        _ => Err(Error::Requests(faults).into()),
+    if let [RequestError::Unknown { name }] = &faults[..]
+        && let Some(near) = nearest(name, &given)
+    {
+        let name = name.escaped();
+        return Err(Failures::message(format!(
+            "`{name}` is no function; did you mean `{near}`, as kane.toml names one?"
+        )));
     }
+    Err(Error::Requests(faults).into())
 }
 
 /// The names in what `--functions` was given, each time it stood there: commas inside brackets separate none.

@@ -23,12 +23,16 @@ pub(super) fn mechanics(
         has_axis,
         findings,
     };
-    check.coordinates("stiffness", &written.stiffness);
-    check.coordinates("rest", &written.rest);
-    check.coordinates("damping", &written.damping);
-    check.coordinates("armature", &written.armature);
-    check.coordinates("friction", &written.friction);
-    check.coordinates("limits", &written.limits);
+    let is_fixed = |kind: &Spanned<JointKind>| kind.value.is_fixed();
+    // Of a fixed joint all is refused, whatever it names.
+    if !written.kind.as_ref().is_some_and(is_fixed) {
+        check.coordinates("stiffness", &written.stiffness);
+        check.coordinates("rest", &written.rest);
+        check.coordinates("damping", &written.damping);
+        check.coordinates("armature", &written.armature);
+        check.coordinates("friction", &written.friction);
+        check.coordinates("limits", &written.limits);
+    }
     check.dampers(&written.damping);
     check.not_negative("armature", &written.armature, |value| value.nominal());
     check.not_negative("friction", &written.friction, |value| *value);

@@ -180,8 +180,7 @@ fn pair(
             let (options, config) = options(arguments, asked, [&new, &old])?;
             // The path in the banner, which is no difference.
             let shown = new.file_name();
-            let readings = readings([&old, &new], &options.reading);
-            let [of_old, of_new] = readings;
+            let [of_old, of_new] = readings([&old, &new], &options.reading);
             [(&old, of_old), (&new, of_new)].map(|(side, reading)| {
                 let explained = |error| explained(side, config.as_deref(), error);
                 let options = Options {
