@@ -24,6 +24,7 @@ use crate::geometry::IDENTITY;
 ///
 /// let text = "\
 /// name = \"pendulum\"
+/// gravity = [0.0, 0.0, -9.81]
 /// lower_bodies = [0]
 ///
 /// [[body]]
