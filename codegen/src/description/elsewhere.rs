@@ -22,7 +22,7 @@ const KEYS: [(&str, &[&str]); 22] = [
     ("velocity", &["max_velocity", "speed"]),
     ("effort", &["max_effort", "force", "torque"]),
     ("model", &["input", "source", "urdf", "mjcf"]),
-    ("output", &["out", "file", "target"]),
+    ("output", &["out"]),
     ("abi", &["lang", "language"]),
 ];
 

@@ -42,7 +42,11 @@ pub use derived::{CompactBlock, Derived, pattern};
 pub use formulation::Formulation;
 pub use function::{Function, Of, Output, PRESCRIBED};
 pub use multiplier::Multiplier;
-pub use names::dictionary::{ALL, DEFAULT, advice, elsewhere, is_set, variable_elsewhere};
+pub use names::{
+    ALL, DEFAULT,
+    dictionary::{advice, elsewhere, variable_elsewhere},
+    is_set,
+};
 pub use packed::{ELIMINATION, Packed};
 pub use parse::{
     parsed::{Parsed, Place},

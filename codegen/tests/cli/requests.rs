@@ -398,3 +398,20 @@ fn what_kane_toml_asks_for_and_the_model_lacks_is_told_there() {
         ran.err
     );
 }
+
+#[test]
+fn a_name_near_one_of_the_kane_toml_is_met_with_that() {
+    let project = Project::arm();
+    project.replace("kane.toml", "\"bias\"", "\"both = mass_matrix+bias\"");
+    for arguments in [
+        ["eval", "models/arm.toml", "--function", "bothh"],
+        ["info", "models/arm.toml", "--functions", "bothh"],
+    ] {
+        let ran = project.kane(&arguments);
+        assert_eq!(ran.code, 2);
+        assert_eq!(
+            ran.err,
+            "error: `bothh` is no function; did you mean `both` of kane.toml?\n"
+        );
+    }
+}

@@ -18,7 +18,7 @@ use kane_codegen::{
     recursive::Technique::{Articulated, Carriers, Lockstep},
 };
 
-use kane_test_support::models::at_run_time;
+use kane_test_support::models::{at_run_time, system};
 
 use crate::names::{Names, as_assignment};
 
@@ -315,6 +315,35 @@ fn a_last_leaf_changes_only_lines_of_its_path_on_hinges_and_with_runtime_values(
             assert_only_bodies_change(&old, &new, path);
         }
     }
+}
+
+/// The comparison of thousands of fields is more than the compiler's stack holds.
+#[test]
+fn structures_with_many_fields_are_not_compared() {
+    let names: Vec<String> = (0..100).map(|place| format!("link{place}")).collect();
+    let bodies = names.iter().enumerate();
+    let bodies =
+        bodies.map(|(place, name)| (name.as_str(), ["[\"theta1\"]", "[\"theta2\"]"][place % 2]));
+    let lower: Vec<usize> = (0..names.len()).collect();
+    let text = at_run_time(&system(&format!("{lower:?}"), &bodies.collect::<Vec<_>>()));
+    let options = Options {
+        functions: Functions::Named(vec!["bias".to_owned()]),
+        ..Options::default()
+    };
+    let source = Source::new("chain.toml", text);
+    let module = generate(&source, "chain.toml", &options, &no_includes).unwrap();
+    let derived = |structure: &str| {
+        let (before, _) = module.source.split_once(structure).unwrap();
+        before.lines().last().unwrap().to_owned()
+    };
+    assert_eq!(
+        derived("pub struct Prepared"),
+        "#[derive(Clone, Copy, Debug)]"
+    );
+    assert_eq!(
+        derived("pub struct Parameters"),
+        "#[derive(Clone, Copy, Debug, PartialEq)]"
+    );
 }
 
 #[test]

@@ -25,7 +25,7 @@ pub(crate) fn request(text: &str, listed: Option<&Functions>) -> Result<Parsed, 
     {
         let name = name.escaped();
         return Err(Failures::message(format!(
-            "`{name}` is no function; did you mean `{near}`, as kane.toml names one?"
+            "`{name}` is no function; did you mean `{near}` of kane.toml?"
         )));
     }
     Err(Error::Requests(faults).into())

@@ -163,9 +163,7 @@ fn write_strays(
 ) -> io::Result<bool> {
     for stray in strays {
         let list = jobs.iter().find_map(|job| job.asks_for(stray));
-        let list = list.map_or("list its system".to_owned(), |key| {
-            format!("give its system `{key}`")
-        });
+        let list = list.unwrap_or_else(|| "list its system".to_owned());
         let (stray, config) = (stray.display(), whole.config.display());
         writeln!(
             out,

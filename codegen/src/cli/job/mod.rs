@@ -114,13 +114,13 @@ impl Job {
     }
 
     /// What would ask for a file beside the module, if it can be one.
-    pub(crate) fn asks_for(&self, file: &Path) -> Option<&'static str> {
+    pub(crate) fn asks_for(&self, file: &Path) -> Option<String> {
         let Target::File(module) = &self.target else {
             return None;
         };
         let mut kinds = CompanionKind::ALL.into_iter();
         let kind = kinds.find(|kind| kind.beside(module).any(|beside| beside == file))?;
-        Some(kind.key())
+        Some(self.asks_by(kind))
     }
 
     /// What would ask for files of a kind beside the module.

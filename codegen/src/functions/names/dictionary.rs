@@ -1,9 +1,10 @@
 //! What to say to those who look for a name that we do not have, perhaps another tool's.
 
 use super::{
+    ALL, DEFAULT,
     absent::NO_FUNCTIONS,
     elsewhere::{OPERATORS, REQUESTS, RUNTIME, VARIABLES},
-    generated_name,
+    generated_name, is_set,
 };
 use crate::{
     diagnostic::nearest,
@@ -62,16 +63,6 @@ fn found(table: &[(&'static str, &[&str])], words: &[String]) -> Option<&'static
     let mut rows = table.iter();
     let row = rows.find(|(_, names)| is_among(names, words));
     row.map(|(own, _)| *own)
-}
-
-/// What stands for all functions of the system.
-pub const ALL: &str = "all";
-/// What stands for the default set.
-pub const DEFAULT: &str = "default";
-
-/// True for a name that stands for several functions.
-pub fn is_set(name: &str) -> bool {
-    [ALL, DEFAULT].contains(&name)
 }
 
 fn plain(name: &str) -> String {

@@ -17,7 +17,7 @@ use crate::{
 
 /// How many fields of a structure are compared. A derived comparison is one expression, nested once a field, for which the compiler's
 /// stack is too small at 6000.
-const MOST_COMPARED: usize = 2_000;
+const MOST_COMPARED: usize = 1_000;
 
 /// `Parameters` and its nominal values.
 pub(super) fn parameters(module: &Module) -> Vec<Item> {

@@ -1,7 +1,8 @@
 //! The axes of all motions, along inertial axes: rotations pass outward, and each motion finds its axis where it enters.
 
+use super::stands::turned;
 use crate::{
-    expr::{ExprGraph, Matrix, Purpose, Vector, transpose},
+    expr::{ExprGraph, Matrix, Purpose, Vector},
     id::{BodyId, BodyMap},
     recursive::links::{
         linkage::Linkage,
@@ -11,7 +12,7 @@ use crate::{
     tree::Motion,
 };
 
-/// The angular velocity of what moves for a unit value of each speed, one a speed; zero for translations.
+/// The angular velocity of what moves for a unit value of each speed, one a speed; zero for translations. Each speed moves one joint.
 pub(super) fn turning(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> Vec<Vector> {
     let Linkage { tree, passages, .. } = linkage;
     graph.begin(Purpose::Outward);
@@ -41,17 +42,11 @@ impl Passenger for Turned<'_> {
     fn shift(&mut self, _: &mut ExprGraph, _: BodyId, _: Vector) {}
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        // An inertial axis along the link's is a column of the rotation.
-        let columns = transpose(&self.rotation);
-        self.rotation = transpose(&columns.map(|axis| rotation.forward(graph, axis)));
+        self.rotation = turned(graph, &self.rotation, rotation);
         for (axis, motion) in drive.motions().into_iter().enumerate() {
-            let Some(Motion { speed, factor }) = motion else {
-                continue;
-            };
-            let factor = graph.number(factor);
-            let own = graph.scale(factor, self.rotation[axis]);
-            let sum = &mut self.axes[speed.index()];
-            *sum = graph.add_vectors(*sum, own);
+            if let Some(motion) = motion {
+                self.axes[motion.speed.index()] = self.rotation[axis];
+            }
         }
     }
 

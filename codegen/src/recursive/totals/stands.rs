@@ -66,13 +66,18 @@ impl Passenger for Stand {
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, _: Drive) {
-        // An inertial axis along the link's is a column of the rotation.
-        let axes = transpose(&self.rotation);
-        self.rotation = transpose(&axes.map(|axis| rotation.forward(graph, axis)));
+        self.rotation = turned(graph, &self.rotation, rotation);
         self.point = rotation.forward(graph, self.point);
     }
 
     fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {}
+}
+
+/// The rotation from inertial axes to those after another turn.
+pub(super) fn turned(graph: &mut ExprGraph, to_axes: &Matrix, rotation: &dyn Turn) -> Matrix {
+    // An inertial axis along the axes is a column.
+    let columns = transpose(to_axes);
+    transpose(&columns.map(|axis| rotation.forward(graph, axis)))
 }
 
 /// What columns are to be in the end.

@@ -118,7 +118,7 @@ fn targets_of(
         reader.faults.push(warning);
     }
     Some(match Document::parse(&mended, file.base()) {
-        // It is refused later, and its elements mean what they may.
+        // It is refused later, whatever its elements name.
         Ok(document) if index == 0 && !is_model(document.root()) => Some(Vec::new()),
         Ok(document) => targets(reader, document.root()),
         Err(fault) => {

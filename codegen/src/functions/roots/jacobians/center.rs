@@ -3,8 +3,8 @@
 use super::{carrying::Carrying, swept::swept};
 use crate::{
     differentiate::Sweep,
-    expr::{Expr, ExprGraph, Vector},
-    functions::{argument::Argument, function::Jacobians},
+    expr::{ExprGraph, Vector},
+    functions::{argument::Argument, entries::Entries as _, function::Jacobians},
     id::SpeedId,
     recursive::{Plan, totals::momentum_matrix},
     solve::SpeedMatrix,
@@ -12,16 +12,17 @@ use crate::{
 };
 
 pub(in crate::functions) fn jacobian(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Jacobians {
-    let (by_q, columns) = if tree.has_followers() {
-        let columns = momentum_matrix::center_jacobian(graph, tree, plan);
-        let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &by_rows(&columns));
-        (by_q, columns)
+    let (by_q, entries) = if tree.has_followers() {
+        let entries = momentum_matrix::center_jacobian(graph, tree, plan).entries();
+        let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &entries);
+        (by_q, entries)
     } else {
-        by_motions(graph, tree, plan)
+        let (by_q, columns) = by_motions(graph, tree, plan);
+        (by_q, columns.entries())
     };
     Jacobians {
         by: vec![(Argument::Q, by_q)],
-        values: Some(by_rows(&columns)),
+        values: Some(entries),
         mass: None,
     }
 }
@@ -50,11 +51,4 @@ fn by_motions(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> (SpeedMatrix, 
         }
     }
     (rows, columns)
-}
-
-/// The entries by rows.
-fn by_rows(columns: &[Vector]) -> Vec<Expr> {
-    let axes = 0..3;
-    axes.flat_map(|axis| columns.iter().map(move |column| column[axis]))
-        .collect()
 }
