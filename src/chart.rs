@@ -105,6 +105,8 @@ impl core::error::Error for ConvertError {}
 
 /// Converts the state `q`, `u` of `From` to the same state of `To`, two systems of one model that differ in their charts.
 ///
+/// A quaternion of four zeros is no orientation: its angles are not numbers.
+///
 /// # Errors
 /// If the systems' joints differ in more than their charts.
 pub fn convert<From: System<f64>, To: System<f64>>(

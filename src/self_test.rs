@@ -110,7 +110,7 @@ fn sum(entries: &[f64]) -> f64 {
 
 /// Checks that `M = M^T` and that all pivots of its elimination are positive, up to rounding.
 ///
-/// Outer bodies go first, as in the generated solution, so that a light body on a heavy one loses no digits.
+/// The last speeds go first. They are those of outer bodies, except with `order = "notes"`, so that a light body on a heavy one loses no digits.
 ///
 /// # Errors
 /// The entry that differs from its mirror image, or the pivot.

@@ -98,3 +98,20 @@ pub fn of_unit_quaternion([w, x, y, z]: [f64; 4]) -> Rotation {
         ],
     ]
 }
+
+/// The symmetric matrix of xx, yy, zz, xy, xz, yz.
+pub fn symmetric([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> [Vector; 3] {
+    [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+}
+
+/// The inertia tensor, xx, yy, zz, xy, xz, yz, of a unit mass at a point: what parallel axes add.
+pub fn of_unit_mass([x, y, z]: Vector) -> [f64; 6] {
+    [
+        y * y + z * z,
+        x * x + z * z,
+        x * x + y * y,
+        -x * y,
+        -x * z,
+        -y * z,
+    ]
+}

@@ -1,5 +1,7 @@
 //! Principal moments and axes of inertia tensors.
 
+use crate::geometry::symmetric;
+
 /// Principal moments and axes of the tensor with components xx, yy, zz, xy, xz, yz: `axes[i]` belongs to `moments[i]`.
 ///
 /// Jacobi rotations, for they are accurate also where moments are equal or zero.
@@ -11,8 +13,7 @@ pub fn principal(components: [f64; 6]) -> ([f64; 3], [[f64; 3]; 3]) {
     if scale == 0.0 {
         return ([0.0; 3], axes);
     }
-    let [xx, yy, zz, xy, xz, yz] = components.map(|component| component / scale);
-    let mut a = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    let mut a = symmetric(components.map(|component| component / scale));
     // Convergence is quadratic: five sweeps suffice, the rest is reserve.
     for (i, j) in [(0, 1), (0, 2), (1, 2)].into_iter().cycle().take(3 * 12) {
         if a[i][j] == 0.0 {

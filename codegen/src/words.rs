@@ -13,6 +13,19 @@ const RUST_KEYWORDS: [&str; 52] = [
 /// What C's structures are called behind a module's name: of parameters, of what is prepared from them, of sines and cosines.
 pub(crate) const C_STRUCTURES: [&str; 3] = ["parameters", "prepared", "sines_cosines"];
 
+/// What C calls of the runtime crate, behind a module's name.
+pub(crate) const C_RUNTIME: [&str; 6] = [
+    "q_plus",
+    "q_minus",
+    "euler_step",
+    "rk4_step",
+    "euler_linearized",
+    "rk4_linearized",
+];
+
+/// The function of C that tells from which input a library was generated, behind a module's name.
+pub(crate) const C_INPUT: &str = "input";
+
 /// The crates that generated Rust names.
 pub(crate) const RUST_CRATES: [&str; 2] = ["kane", "core"];
 

@@ -1,7 +1,7 @@
 //! Inverse kinematics: coordinates that bring frames to their goals.
 //!
 //! A solver takes [`Goal`]s of one or several frames, [`Limits`], and an initial `q`. It improves `q`, and returns as [`Remaining`] its error
-//! from the goals. No coordinate passes its limits. Nothing allocates or panics, and the feature `std` is not needed. The solver does not
+//! from the goals. No coordinate passes its limits. Nothing allocates, and with generated systems nothing panics. The feature `std` is not needed. The solver does not
 //! avoid collisions, and it does not find every solution.
 //!
 //! The method is damped least squares (Levenberg, Marquardt). A step is the `u`, for unit time, that minimizes

@@ -122,7 +122,7 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
 
 /// Checks the poses of frames, which a module has whatever is asked for.
 fn check_frames(tree: &Tree) -> Result<(), Error> {
-    let vectors = tree.frames.iter();
+    let vectors = tree.frames.iter().chain(&tree.markers);
     let vectors = vectors.flat_map(|frame| frame.rotation.iter().chain([&frame.position]));
     if vectors.flatten().all(|entry| entry.is_finite()) {
         Ok(())

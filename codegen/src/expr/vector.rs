@@ -107,6 +107,12 @@ impl ExprGraph {
         std::array::from_fn(|i| self.sub(a[i], b[i]))
     }
 
+    /// `2 v`.
+    pub fn doubled(&mut self, v: Vector) -> Vector {
+        let two = self.number(2.0);
+        self.scale(two, v)
+    }
+
     /// `k v`.
     pub fn scale(&mut self, k: Expr, v: Vector) -> Vector {
         v.map(|component| self.mul(k, component))

@@ -81,7 +81,7 @@ impl Unit {
     }
 
     /// Those of derivatives of the first of these by the second: of each pair the quotient, each once.
-    pub(super) fn quotients<'a>(pairs: impl IntoIterator<Item = (&'a Self, &'a Self)>) -> Self {
+    pub(crate) fn quotients<'a>(pairs: impl IntoIterator<Item = (&'a Self, &'a Self)>) -> Self {
         let mut known: Vec<String> = Vec::new();
         for (of, by) in pairs {
             let of = of.all().into_iter();

@@ -14,22 +14,23 @@ pub(crate) fn passed_over(sources: &Sources) -> Vec<String> {
         let tokens: TokenStream = text.parse().unwrap_or_else(|e| panic!("{file}: {e}"));
         let tokens = tokens.to_string();
         for name in PASSING {
-            if tokens.contains(&format!("f64 :: {name}")) || is_called(&tokens, name) {
-                found.push(format!("{file}: `f64::{name}`"));
+            let paths = ["f32", "f64"].map(|scalar| format!("{scalar} :: {name}"));
+            if paths.iter().any(|path| tokens.contains(path)) || is_called(&tokens, name) {
+                found.push(format!("{file}: `{name}` of floats"));
             }
         }
     }
     found
 }
 
-/// True where it is a method that is given a number with a point.
+/// True where it is a method that is given a number with a point or an exponent.
 fn is_called(tokens: &str, name: &str) -> bool {
     let call = format!(". {name} (");
     let calls = tokens.split(&call).skip(1);
     let arguments = calls.filter_map(|rest| rest.split([')', ',']).next());
     arguments.map(str::trim).any(|argument| {
         let number = argument.trim_start_matches(['-', ' ']);
-        number.contains('.') && number.parse::<f64>().is_ok()
+        number.contains(['.', 'e']) && number.parse::<f64>().is_ok()
     })
 }
 

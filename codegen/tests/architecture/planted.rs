@@ -215,11 +215,15 @@ fn test_that_passes_over_nan_is_found() {
     let found = |text| nan::passed_over(&sources(&[("a/tests/b.rs", text)]));
     assert_eq!(
         found("fn f() { x.fold(0.0, f64::max); }"),
-        ["a/tests/b.rs: `f64::max`"]
+        ["a/tests/b.rs: `max` of floats"]
     );
     assert_eq!(
         found("fn f() { x.min(-1.0) }"),
-        ["a/tests/b.rs: `f64::min`"]
+        ["a/tests/b.rs: `min` of floats"]
+    );
+    assert_eq!(
+        found("fn f() { x.max(1e-300) }"),
+        ["a/tests/b.rs: `max` of floats"]
     );
     for text in [
         "// f64::max\nfn f() {}",

@@ -110,7 +110,7 @@ fn unknown_names_are_met_with_advice() {
     }
     assert_eq!(
         advice("inverse_kinematics"),
-        "`kane::inverse_kinematics` does that in Rust, for every system"
+        "that is `kane::inverse_kinematics` in Rust, for every system"
     );
     insta::assert_snapshot!(advice("jerk"), @"`kane info MODEL --functions all` lists those of a system; those of a frame are pose, position, velocity, acceleration, jacobian, jacobian_packed, point_jacobian, jacobian_dot_u, generalized_force, imu, operational_inverse_inertia, and some of its origin alone, as linear_jacobian");
 }

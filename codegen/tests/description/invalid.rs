@@ -328,6 +328,7 @@ files! { FILES, description_is_refused:
     mimic_of_a_joint_with_two
     mimic_of_two_coordinates
     mimic_of_unknown_joint
+    mimic_too_large
     mimic_without_joint
     missing_attachment
     missing_bodies

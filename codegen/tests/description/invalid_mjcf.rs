@@ -88,6 +88,7 @@ files! {
     numbers_with_commas
     outermost_class_named
     overflow
+    overflow_beside_masses
     own_parts
     polynomial_damping
     quaternion_is_zero

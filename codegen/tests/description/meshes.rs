@@ -244,14 +244,16 @@ fn hull_of_points_of_a_sphere_nears_the_ball() {
         "volume",
         &[number(body.mass)],
         &[volume],
-        Tolerance::relative(3e-3),
+        // What lies between 4000 even planes and the sphere is 1.48e-3 of it; a hull that lost a tenth of its points would pass by 1.65e-3.
+        Tolerance::relative(1.5e-3),
     );
     let moment = 0.4 * volume;
     assert_close(
         "moments",
         &inertia(&body)[..3],
         &[moment; 3],
-        Tolerance::relative(5e-3),
+        // Five thirds of that, for a moment grows with the fifth power of the radius.
+        Tolerance::relative(2.5e-3),
     );
 }
 

@@ -4,8 +4,13 @@
     reason = "functions of tests, which clippy takes for others"
 )]
 
-use kane_codegen::description::Description;
+use std::fs;
+use std::path::Path;
+
+use kane_codegen::description::{Description, Reading, mjcf};
+use kane_codegen::diagnostic::Source;
 use kane_codegen::limits;
+use kane_test_support::random::Random;
 
 use crate::meshes::{described, described_with, model};
 use crate::mjcf_support::{faults, number};
@@ -82,6 +87,7 @@ fn broken_stl() {
         of_file("m.stl", b"too short"),
         of_file("m.stl", &whole[..whole.len() - 1]),
         of_file("m.stl", &[&whole[..], b"+"].concat()),
+        of_file("m.stl", &[b"solid", &whole[5..], b"+"].concat()),
         of_file("m.stl", &many),
         of_file("m.stl", &stl(&[])),
         of_file("m.stl", &stl(&CORNERS[..3])),
@@ -110,6 +116,7 @@ fn broken_stl_that_is_text() {
             b"solid a\nouter loop\nvertex 0 0 0\nendloop\nendsolid",
         ),
         of_file("m.stl", b"solid a\nvertex 0 0 0\nendsolid"),
+        of_file("m.stl", b"solid a\nouter loop\nouter loop\nendsolid"),
         of_file("m.stl", b"solid a\nendsolid"),
         of_file("m.stl", b"solid a\n\xff\xfe\x00binary"),
     ];
@@ -142,12 +149,114 @@ fn meshes_of_too_many_points_are_refused() {
     let count = limits::MESH_POINTS + 1;
     let mut bytes = i32::try_from(count).unwrap().to_le_bytes().to_vec();
     bytes.resize(16 + 12 * count, 0);
-    let expected = "error: the mesh file `m.msh` has 500001 points; expected at most 500000
-  simplify the mesh, or give the body an `inertial`";
-    assert_eq!(of_file("m.msh", &bytes), expected);
-    let lines = "v 0 0 0\n".repeat(count);
-    let told = of_file("m.obj", lines.as_bytes());
-    assert!(told.contains("more than 500000 points"), "{told}");
+    let expected = |file: &str, what: &str| {
+        format!(
+            "error: the mesh file `{file}` has more than 500000 {what}
+  simplify the mesh, or give the body an `inertial`"
+        )
+    };
+    assert_eq!(of_file("m.msh", &bytes), expected("m.msh", "points"));
+    let points = "v 0 0 0\n".repeat(count);
+    let told = of_file("m.obj", points.as_bytes());
+    assert_eq!(told, expected("m.obj", "points"));
+    let faces = "v 0 0 0\n".repeat(4) + &"f 1 2 3\n".repeat(limits::MESH_FACES + 1);
+    let told = of_file("m.obj", faces.as_bytes());
+    assert_eq!(told, expected("m.obj", "faces"));
+}
+
+#[test]
+fn files_are_read_until_all_of_them_are_too_large() {
+    let bytes = vec![0; limits::MESH_BYTES];
+    let count = limits::MESHES_BYTES / limits::MESH_BYTES + 1;
+    let names: Vec<String> = (0..=count).map(|place| format!("{place}.msh")).collect();
+    let element = |name: &String| {
+        let geom = format!("<geom name=\"of_{name}\" type=\"mesh\" mesh=\"{name}\"/>");
+        (format!("<mesh name=\"{name}\" file=\"{name}\"/>"), geom)
+    };
+    let (meshes, geoms): (Vec<String>, Vec<String>) = names.iter().map(element).unzip();
+    let files: Vec<(&str, &[u8])> = names
+        .iter()
+        .map(|name| (name.as_str(), &bytes[..]))
+        .collect();
+    let told = told(&described_with(
+        &model("", &meshes.concat(), &geoms.concat()),
+        &files,
+    ));
+    assert_eq!(told.matches("says that it has 0 points").count(), count - 1);
+    let last = format!("the mesh files up to `{}` have ", names[count - 1]);
+    assert_eq!(told.matches(&last).count(), 1, "{told}");
+    assert_eq!(told.matches("error: ").count(), count);
+}
+
+#[test]
+fn files_that_cannot_be_read_are_all_told() {
+    let names: Vec<String> = (0..20).map(|place| format!("{place}.obj")).collect();
+    let meshes = names
+        .iter()
+        .map(|name| format!("<mesh name=\"{name}\" file=\"{name}\"/>"));
+    let geoms = names
+        .iter()
+        .map(|name| format!("<geom type=\"mesh\" mesh=\"{name}\"/>"));
+    let text = model("", &meshes.collect::<String>(), &geoms.collect::<String>());
+    let include = |_: &str| Err(std::io::ErrorKind::IsADirectory.into());
+    let found = mjcf::parse(
+        &Source::new("model.xml", text),
+        &Reading::default(),
+        &include,
+    );
+    assert_eq!(told(&found).matches("cannot be read").count(), names.len());
+}
+
+#[test]
+fn text_with_a_byte_order_mark_or_with_other_ends_of_lines_is_the_same_mesh() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/meshes");
+    for name in ["l.obj", "l_text.stl"] {
+        let text = fs::read_to_string(folder.join(name)).unwrap();
+        let mesh = format!("<mesh name=\"m\" file=\"{name}\"/>");
+        let mass = |text: &str| {
+            let found = described_with(&model("", &mesh, GEOM), &[(name, text.as_bytes())]);
+            assert_eq!(told(&found), "", "{name}");
+            number(found.bodies[0].mass)
+        };
+        let expected = mass(&text);
+        assert_eq!(mass(&format!("\u{feff}{text}")), expected);
+        assert_eq!(mass(&text.replace('\n', "\r\n")), expected);
+        assert_eq!(mass(&text.replace('\n', "\r")), expected);
+    }
+}
+
+#[test]
+fn changed_files_are_read_or_refused() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/meshes");
+    let mut files: Vec<_> = fs::read_dir(folder)
+        .unwrap()
+        .map(|file| file.unwrap().path())
+        .collect();
+    files.sort_unstable();
+    let mut random = Random::new(11);
+    for path in files {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let whole = fs::read(&path).unwrap();
+        for filling in ["legacy", "exact", "convex", "shell"] {
+            let mesh = format!("<mesh name=\"m\" file=\"{name}\" inertia=\"{filling}\"/>");
+            for _ in 0..40 {
+                let mut bytes = whole.clone();
+                for _ in 0..=random.below(4) {
+                    let place = random.below(bytes.len());
+                    match random.below(3) {
+                        0 => bytes[place] = u8::try_from(random.below(256)).unwrap(),
+                        1 => bytes.truncate(place + 1),
+                        _ => bytes[place] ^= 1 << random.below(8),
+                    }
+                }
+                let found = described_with(&model("", &mesh, GEOM), &[(name, &bytes)]);
+                let told = told(&found);
+                let mass = found.bodies[0].mass.map(|mass| mass.value.nominal());
+                let is_read = mass.is_some_and(|mass| mass.is_finite() && mass > 0.0);
+                assert!(is_read || told.contains("error: "), "{name}: {told}");
+            }
+        }
+    }
 }
 
 #[test]

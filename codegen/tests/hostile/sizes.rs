@@ -1,7 +1,7 @@
 //! Models too deep, too long, too many, or at the ends of what numbers there are.
 
 use kane_codegen::{
-    companions::CompanionKind,
+    companions::{Abi, CompanionKind},
     config::Functions,
     description::{self, Reading, no_includes},
     diagnostic::{Diagnostic, Source},
@@ -402,13 +402,28 @@ fn what_would_be_too_large_is_told_before_it_is_derived() {
 
 #[test]
 fn numbers_at_the_ends_of_what_there_is_are_generated_or_refused() {
+    let mimic = |joint: &str| {
+        format!(
+            "\"revolute\"\naxis = [0, 1, 0]\nmimic = {{ joint = \"{joint}\", multiplier = 1.5, offset = 0.25 }}"
+        )
+    };
     let text = system(
-        "[0, 1]",
+        "[0, 1, 1, 3, 4]",
         &[
             ("a", "\"revolute\"\naxis = [0, 0, 1]"),
             ("b", "[\"theta1\", \"s1\"]"),
+            ("c", &mimic("a")),
+            ("d", &mimic("c")),
+            ("e", "[]"),
         ],
     );
+    let text = text + "[[frame]]\nname = \"mark\"\nbody = \"e\"\nposition = [0.7, 0.0, 0.0]\n";
+    // What reads little of the model: nothing else is in the way of a number that does not fit.
+    let little = Options {
+        companions: [CompanionKind::Manifest, CompanionKind::Abi(Abi::C)].into(),
+        module: "module".to_owned(),
+        ..named("q_dot")
+    };
     for number in [
         "1e400",
         "nan",
@@ -418,13 +433,18 @@ fn numbers_at_the_ends_of_what_there_is_are_generated_or_refused() {
         "1e-320",
         "5e-324",
         "1e-300",
+        "1e155",
         "1e300",
         "1.7976931348623157e308",
     ] {
-        for place in ["2.0", "0.01", "0.1", "-0.5", "0.02", "0.3"] {
+        for place in [
+            "2.0", "0.01", "0.1", "-0.5", "0.02", "0.3", "1.5", "0.25", "0.7",
+        ] {
             for text in [text.replace(place, number), text.replacen(place, number, 1)] {
-                promises::reading(&Files::new("model.toml", &text), &Reading::default());
-                promises::generating(&Files::new("model.toml", &text), &Options::default());
+                let files = Files::new("model.toml", &text);
+                promises::reading(&files, &Reading::default());
+                promises::generating(&files, &Options::default());
+                promises::generating(&files, &little);
             }
         }
     }

@@ -25,6 +25,8 @@ kane = { path = "KANE", default-features = false }
 /// Both programs fill arguments without a pattern, and without rounding in either precision.
 const RUST: &str = r#"
 use every::claw::{self, NB, NQ, NU, Parameters, Prepared, SinCos};
+use kane::discrete::{StepDerivatives, euler, rk4};
+use kane::manifold::{q_minus, q_plus};
 use kane::{Load, Real};
 
 trait Numbers { fn print(&self); }
@@ -54,7 +56,39 @@ fn all<R: Real + Numbers>() {
     let zero = R::from_f64(0.0);
     let mut sin_cos = SinCos { sines: [zero; claw::NA], cosines: [zero; claw::NA] };
     claw::sin_cos(&p, &q, &mut sin_cos);
-CALLS}
+CALLS
+    let (direction, to): ([R; NU], [R; NQ]) = (entries(10), entries(11));
+    print!("q_plus.q_after"); q_plus(&p, &q, &direction).print(); println!();
+    print!("q_minus.direction"); q_minus(&p, &q, &to).print(); println!();
+    let dt = R::from_f64(0.125);
+    let show = |name: &str, (q_after, u_after): ([R; NQ], [R; NU])| {
+        print!("{name}.q_after"); q_after.print(); println!();
+        print!("{name}.u_after"); u_after.print(); println!();
+    };
+    let mut state = (q, u);
+    euler::step(&p, &tau, dt, &mut state.0, &mut state.1);
+    show("euler_step", state);
+    state = (q, u);
+    rk4::step(&p, &tau, dt, &mut state.0, &mut state.1);
+    show("rk4_step", state);
+    let rows = |rows: &[&[[R; NU]; NU]]| {
+        for row in 0..NU {
+            rows.iter().for_each(|block| block[row].print());
+        }
+    };
+    let linearized = |name: &str, state, d: &StepDerivatives<[[R; NU]; NU]>| {
+        show(name, state);
+        print!("{name}.a"); rows(&[&d.q_by_q, &d.q_by_u]); rows(&[&d.u_by_q, &d.u_by_u]); println!();
+        print!("{name}.b"); rows(&[&d.q_by_tau]); rows(&[&d.u_by_tau]); println!();
+    };
+    let mut derivatives = StepDerivatives::filled([[zero; NU]; NU]);
+    state = (q, u);
+    euler::linearized(&p, &tau, dt, (&mut state.0, &mut state.1), &mut derivatives);
+    linearized("euler_linearized", state, &derivatives);
+    state = (q, u);
+    rk4::linearized(&p, &tau, dt, (&mut state.0, &mut state.1), &mut derivatives);
+    linearized("rk4_linearized", state, &derivatives);
+}
 
 fn main() {
     all::<f64>();
@@ -64,6 +98,7 @@ fn main() {
 
 const C_BEGINNING: &str = r#"
 #include <stdio.h>
+#include <string.h>
 #include "claw.h"
 
 static double entry(long kind, long place)
@@ -112,12 +147,19 @@ static void all_SCALAR(void)
     }
     claw_sines_cosines_SCALAR sin_cos;
     claw_sin_cos_SCALAR(&p, q, &sin_cos);
+    REAL direction[CLAW_NU], to[CLAW_NQ];
+    const REAL *from = q, dt = (REAL)0.125;
+    fill_SCALAR(10, CLAW_NU, direction);
+    fill_SCALAR(11, CLAW_NQ, to);
 CALLS}
 "#;
 
 const C_MAIN: &str = r"
 int main(void)
 {
+    if (strcmp(CLAW_INPUT, claw_input()) != 0) {
+        return 1;
+    }
     all_f64();
     all_f32();
     return 0;
@@ -158,11 +200,14 @@ fn compare(name: &str, model: &str, changed: Option<&str>) -> usize {
     let manifest: Value = serde_json::from_str(manifest.unwrap().1).unwrap();
     let functions = manifest["functions"].as_array().unwrap().iter();
     let functions: Vec<Function<'_>> = functions.map(Function::read).collect();
+    let runtime = manifest["c"]["runtime"].as_array().unwrap().iter();
+    let runtime: Vec<Function<'_>> = runtime.map(Function::read).collect();
     let kane = env!("CARGO_MANIFEST_DIR").replace('\\', "/");
     fs::write(folder.join("Cargo.toml"), MANIFEST.replace("KANE", &kane)).unwrap();
     fs::write(source.join("lib.rs"), "pub mod claw;\npub mod claw_c;\n").unwrap();
     fs::write(source.join("main.rs"), rust_program(&functions, changed)).unwrap();
-    fs::write(source.join("main.c"), c_program(&functions, changed)).unwrap();
+    let called = || functions.iter().chain(&runtime);
+    fs::write(source.join("main.c"), c_program(called(), changed)).unwrap();
 
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["build", "--offline"]).current_dir(&folder);
@@ -174,7 +219,7 @@ fn compare(name: &str, model: &str, changed: Option<&str>) -> usize {
         .env("RUSTFLAGS", "--deny warnings"));
     let expected = run(&mut Command::new(target.join("debug/every")));
     let expected: Vec<_> = expected.lines().map(bits).collect();
-    let outputs = functions.iter().map(|function| function.outputs.len());
+    let outputs = called().map(|function| function.outputs.len());
     assert_eq!(expected.len(), 2 * outputs.sum::<usize>());
     for compiler in tools(C, "every function called from C by this compiler") {
         let program = folder.join(compiler);
@@ -252,7 +297,10 @@ fn rust_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
     RUST.replace("CALLS", &calls).replace("CHANGED", &changed)
 }
 
-fn c_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
+fn c_program<'a>(
+    functions: impl Iterator<Item = &'a Function<'a>>,
+    changed: Option<&str>,
+) -> String {
     let mut calls = String::new();
     for Function {
         name,
@@ -261,7 +309,7 @@ fn c_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
     } in functions
     {
         let passed = arguments.iter().map(|name| match *name {
-            "p" | "sin_cos" => format!("&{name}"),
+            "p" | "sin_cos" | "dt" => format!("&{name}"),
             array => array.to_owned(),
         });
         let mut passed: Vec<String> = passed.collect();

@@ -62,6 +62,7 @@ pub(crate) fn module(name: &str, model: &str) -> Generated {
     let joined = [
         "mass_matrix+mass_matrix_packed+bias",
         "kinetic_energy+potential_energy",
+        "forward_dynamics+d(forward_dynamics)/d(q, u, tau)",
         "inverse_dynamics(sin_cos)",
         "partial_velocity(sin_cos)",
     ];

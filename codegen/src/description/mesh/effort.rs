@@ -1,6 +1,6 @@
 //! How much work the meshes of a model may be.
 
-use crate::description::mesh::fault::Fault;
+use crate::description::mesh::fault::{Fault, SIMPLIFY};
 use crate::limits::MESH_STEPS;
 
 /// The work that is left for the meshes of a model.
@@ -20,8 +20,7 @@ impl Effort {
             let found = format!(
                 "takes more than the {MESH_STEPS} steps that all meshes of a model may take"
             );
-            let advice = "simplify the mesh, or give the body an `inertial`";
-            return Err(Fault::new(found).help(advice));
+            return Err(Fault::new(found).help(SIMPLIFY));
         };
         self.0 = left;
         Ok(())

@@ -1,5 +1,8 @@
 //! What is wrong with a mesh.
 
+/// What to do with a mesh that is too large.
+pub(super) const SIMPLIFY: &str = "simplify the mesh, or give the body an `inertial`";
+
 /// What is wrong with a mesh, in words that stand after its name, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Fault {

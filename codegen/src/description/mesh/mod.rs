@@ -7,13 +7,13 @@
 //! Numbers follow MuJoCo's algorithms step by step, its rounding of points to single precision among them, so that masses and
 //! inertias are those that it simulates. What cannot be had is a [`Fault`]: what was found, and what to do.
 
-mod closed;
 mod effort;
 mod fault;
 mod format;
 mod hull;
 mod msh;
 mod obj;
+mod oriented;
 mod polygon;
 mod principal;
 mod shape;
@@ -21,6 +21,7 @@ mod stl;
 mod stl_text;
 mod sums;
 mod surface;
+mod text;
 
 pub(crate) use effort::Effort;
 pub(crate) use fault::Fault;

@@ -1,7 +1,7 @@
 //! MSH, MuJoCo's binary format: four counts, points, normals, texture coordinates, faces.
 
 use crate::description::mesh::fault::Fault;
-use crate::description::mesh::surface::Surface;
+use crate::description::mesh::surface::{Face, Point, Surface, no_point};
 
 const HEADER: usize = 16;
 
@@ -41,9 +41,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, Fault> {
     let points = points
         .chunks_exact(12)
         .map(|twelve| [0, 4, 8].map(|at| f32::from_le_bytes(word(&twelve[at..at + 4]))));
-    // An index below zero is too large as a count.
     let faces = others[skipped..]
         .chunks_exact(12)
-        .map(|twelve| [0, 4, 8].map(|at| u32::from_le_bytes(word(&twelve[at..at + 4]))));
-    Surface::new(points.collect(), faces.collect())
+        .map(|twelve| [0, 4, 8].map(|at| i32::from_le_bytes(word(&twelve[at..at + 4]))));
+    let points: Vec<Point> = points.collect();
+    let mut checked: Vec<Face> = Vec::with_capacity(faces.len());
+    for (number, face) in faces.enumerate() {
+        if let Some(&below) = face.iter().find(|point| **point < 0) {
+            return Err(no_point(number, i64::from(below), points.len()));
+        }
+        checked.push(face.map(i32::cast_unsigned));
+    }
+    Surface::new(points, checked)
 }

@@ -2,9 +2,8 @@
 
 use crate::description::mesh::effort::Effort;
 use crate::description::mesh::fault::Fault;
-use crate::description::mesh::polygon;
-use crate::description::mesh::surface::{Face, Point, Surface};
-use crate::limits::{MESH_FACES, MESH_POINTS};
+use crate::description::mesh::surface::{self, Face, Point, Surface};
+use crate::description::mesh::{polygon, text};
 
 /// A polygon of more corners is left out, as MuJoCo does.
 pub(crate) const MOST_CORNERS: usize = 100;
@@ -22,31 +21,27 @@ struct Object {
 
 /// Reads an OBJ.
 pub(super) fn read(bytes: &[u8], effort: &mut Effort) -> Result<Surface, Fault> {
-    let text = String::from_utf8_lossy(bytes);
+    let text = text::of(bytes);
     let mut object = Object::default();
     let mut leaves_objects_out = false;
     let mut is_over = false;
-    for (index, line) in text.lines().enumerate() {
-        let mut words = line.split_ascii_whitespace();
-        let fault = |found: &str| Err(Fault::new(format!("has {found} in line {}", index + 1)));
+    for (number, mut words) in text::lines(&text) {
+        let fault = |found: String| Fault::new(format!("has {found} in line {number}"));
         match words.next() {
             Some("v") => {
-                let Some(point) = point(words) else {
-                    return fault("no three numbers after `v`");
-                };
-                object.points.push(point);
+                let point = point(words);
+                let point = point.ok_or_else(|| fault("no three numbers after `v`".to_owned()));
+                object.points.push(point?);
             }
             Some("o" | "g") => is_over |= !object.ends.is_empty(),
             Some("f") if is_over => leaves_objects_out = true,
-            Some("f") if !object.face(words) => {
-                return fault("a face with a point that is not there");
-            }
+            Some("f") => object.face(words).map_err(|word| {
+                let word = text::shown(word);
+                fault(format!("a face with `{word}`, the number of no point,"))
+            })?,
             _ => {}
         }
-        if object.points.len() > MESH_POINTS || object.corners.len() > 4 * MESH_FACES {
-            let found = format!("has more than {MESH_POINTS} points or {MESH_FACES} faces");
-            return Err(Fault::new(found).help("simplify the mesh, or give the body an `inertial`"));
-        }
+        surface::check_sizes(object.points.len(), object.ends.len())?;
     }
     let faces = object.triangles(effort)?;
     let leaves_faces_out = object.leaves_faces_out;
@@ -70,8 +65,8 @@ fn point<'t>(words: impl Iterator<Item = &'t str>) -> Option<Point> {
 }
 
 impl Object {
-    /// Takes over a polygon; of one with less than three corners nothing. False where a corner is no point.
-    fn face<'t>(&mut self, words: impl Iterator<Item = &'t str>) -> bool {
+    /// Takes over a polygon; of one with less than three corners nothing. The word that is the number of no point, where there is one.
+    fn face<'t>(&mut self, words: impl Iterator<Item = &'t str>) -> Result<(), &'t str> {
         let start = self.corners.len();
         for word in words {
             // Behind the slashes stand texture coordinates and normals.
@@ -80,12 +75,9 @@ impl Object {
             let number = match number.parse::<i64>() {
                 Ok(number) if number > 0 => number - 1,
                 Ok(number) if number < 0 => count + number,
-                _ => return false,
+                _ => return Err(word),
             };
-            let Ok(number) = u32::try_from(number) else {
-                return false;
-            };
-            self.corners.push(number);
+            self.corners.push(u32::try_from(number).map_err(|_| word)?);
         }
         let count = self.corners.len() - start;
         if count < 3 {
@@ -96,7 +88,7 @@ impl Object {
         } else {
             self.ends.push(self.corners.len());
         }
-        true
+        Ok(())
     }
 
     fn triangles(&self, effort: &mut Effort) -> Result<Vec<Face>, Fault> {

@@ -1,7 +1,7 @@
 //! Principal axes, by MuJoCo's iteration (Jacobi's, on a quaternion): of a body that has the same moment about several axes it
 //! finds the same ones.
 
-use crate::geometry::{Rotation, Vector, of_unit_quaternion};
+use crate::geometry::{Rotation, Vector, of_unit_quaternion, symmetric};
 
 /// What is left as it is, of the largest entry: products of inertia, and differences of moments that have the wrong order.
 const SMALL: f64 = 1e-17;
@@ -13,10 +13,10 @@ const EIGHTH: f64 = std::f64::consts::FRAC_1_SQRT_2;
 type Quaternion = [f64; 4];
 
 /// Moments, the largest first, and axes of a symmetric matrix xx, yy, zz, xy, xz, yz; the rows of the rotation are the axes.
-pub(super) fn axes([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> (Vector, Rotation) {
-    let matrix = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+pub(super) fn axes(tensor: [f64; 6]) -> (Vector, Rotation) {
+    let matrix = symmetric(tensor);
     let mut quaternion = [1.0, 0.0, 0.0, 0.0];
-    let mut moments = [xx, yy, zz];
+    let mut moments = [0, 1, 2].map(|i| tensor[i]);
     let largest = moments
         .iter()
         .fold(0.0_f64, |most, entry| entry.abs().max(most));

@@ -4,7 +4,7 @@ use crate::description::mesh::effort::Effort;
 use crate::description::mesh::fault::Fault;
 use crate::description::mesh::sums::{self, LEAST, Weight};
 use crate::description::mesh::surface::{Face, Surface};
-use crate::description::mesh::{closed, hull, principal};
+use crate::description::mesh::{hull, oriented, principal};
 use crate::geometry::{Rotation, Vector, apply, difference};
 
 /// What of a mesh has mass.
@@ -58,7 +58,7 @@ pub(crate) fn shape(
 ) -> Result<MeshShape, Fault> {
     let points: Vec<Vector> = surface.points.iter().map(|p| p.map(f64::from)).collect();
     if filling == Filling::Exact {
-        closed::check(surface, &points)?;
+        oriented::check(surface, &points)?;
     }
     let hull = if filling == Filling::Convex || surface.faces.is_empty() {
         hull_of(surface, most_corners, effort)?

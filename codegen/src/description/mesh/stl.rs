@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::description::mesh::fault::Fault;
 use crate::description::mesh::stl_text;
 use crate::description::mesh::surface::{Face, Point, Surface};
+use crate::description::mesh::text::without_mark;
 
 /// Bytes before the first triangle, and of a triangle.
 const HEADER: usize = 84;
@@ -22,10 +23,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, Fault> {
     let Some(fault) = fault else {
         return joined(&corners);
     };
-    // Many a binary file begins with `solid`, too: its size has told.
-    let start = bytes.trim_ascii_start();
-    match start.get(..5) {
-        Some(word) if word.eq_ignore_ascii_case(b"solid") => joined(&stl_text::corners(bytes)?),
+    // Many a binary file begins with `solid`, too: its size has told, or that it has what no text has.
+    match without_mark(bytes).trim_ascii_start().get(..5) {
+        Some(word) if word.eq_ignore_ascii_case(b"solid") && !bytes.contains(&0) => {
+            joined(&stl_text::corners(bytes)?)
+        }
         _ => Err(fault),
     }
 }

@@ -2,26 +2,27 @@
 
 use crate::description::mesh::fault::Fault;
 use crate::description::mesh::surface::Point;
-use crate::diagnostic::Escaped;
+use crate::description::mesh::text;
 
 /// The corners of all triangles.
 pub(super) fn corners(bytes: &[u8]) -> Result<Vec<Point>, Fault> {
-    let text = String::from_utf8_lossy(bytes);
+    let text = text::of(bytes);
     let mut corners: Vec<Point> = Vec::new();
     // How many corners of the triangle that is open are there.
     let mut open = None;
     let mut is_closed = false;
-    for (index, line) in text.lines().enumerate() {
-        let mut words = line.split_ascii_whitespace();
+    for (at, mut words) in text::lines(&text) {
         let Some(word) = words.next() else {
             continue;
         };
-        let at = index + 1;
         match word.to_ascii_lowercase().as_str() {
             "solid" => is_closed = false,
             "endsolid" => is_closed = true,
             "facet" | "endfacet" => {}
-            "outer" if open.is_none() => open = Some(0),
+            "outer" if open.is_some() => {
+                return Err(Fault::new(format!("has a loop within a loop in line {at}")));
+            }
+            "outer" => open = Some(0),
             "vertex" => {
                 let Some(count) = &mut open else {
                     return Err(Fault::new(format!(
@@ -41,8 +42,7 @@ pub(super) fn corners(bytes: &[u8]) -> Result<Vec<Point>, Fault> {
                 }
             }
             _ => {
-                let word: String = word.chars().take(20).collect();
-                let found = format!("has `{}` in line {at}, which no STL has", word.escaped());
+                let found = format!("has `{}` in line {at}, which no STL has", text::shown(word));
                 return Err(Fault::new(found));
             }
         }

@@ -1,6 +1,6 @@
 //! Points and the triangles between them.
 
-use crate::description::mesh::fault::Fault;
+use crate::description::mesh::fault::{Fault, SIMPLIFY};
 use crate::limits::{MESH_FACES, MESH_POINTS};
 
 /// A point, in the file's own frame and units. MuJoCo keeps them in single precision.
@@ -25,17 +25,7 @@ impl Surface {
     /// A surface of finite points, at least four, all of whose faces name points that are there.
     pub(crate) fn new(points: Vec<Point>, faces: Vec<Face>) -> Result<Self, Fault> {
         let n_points = points.len();
-        for (what, count, most) in [
-            ("points", n_points, MESH_POINTS),
-            ("faces", faces.len(), MESH_FACES),
-        ] {
-            if count > most {
-                let found = format!("has {count} {what}; expected at most {most}");
-                return Err(
-                    Fault::new(found).help("simplify the mesh, or give the body an `inertial`")
-                );
-            }
-        }
+        check_sizes(n_points, faces.len())?;
         if n_points < 4 {
             let s = if n_points == 1 { "" } else { "s" };
             let found = format!("has {n_points} point{s}; expected at least 4");
@@ -48,13 +38,7 @@ impl Surface {
         }
         for (number, face) in faces.iter().enumerate() {
             if let Some(bad) = face.iter().find(|point| **point as usize >= n_points) {
-                let found = format!(
-                    "has face {number} with point {}; its points are 0 to {}",
-                    // That of an MSH may be below zero.
-                    bad.cast_signed(),
-                    n_points - 1
-                );
-                return Err(Fault::new(found));
+                return Err(no_point(number, i64::from(*bad), n_points));
             }
         }
         Ok(Self {
@@ -64,4 +48,25 @@ impl Surface {
             leaves_faces_out: false,
         })
     }
+}
+
+/// Refuses more points or faces than a mesh may have.
+pub(super) fn check_sizes(n_points: usize, n_faces: usize) -> Result<(), Fault> {
+    for (what, count, most) in [
+        ("points", n_points, MESH_POINTS),
+        ("faces", n_faces, MESH_FACES),
+    ] {
+        if count > most {
+            return Err(Fault::new(format!("has more than {most} {what}")).help(SIMPLIFY));
+        }
+    }
+    Ok(())
+}
+
+/// A face with the number of no point, both counted from 0.
+pub(super) fn no_point(face: usize, point: i64, n_points: usize) -> Fault {
+    Fault::new(format!(
+        "has face {face} with point {point}; its points are 0 to {}",
+        n_points - 1
+    ))
 }

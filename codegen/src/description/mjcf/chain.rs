@@ -161,7 +161,7 @@ impl Bodies {
         let Some(inertias) = inertias(&posed.collect::<Vec<_>>()) else {
             let mut joints = self.list.iter().filter_map(|body| body.joint.as_ref());
             let message = format!(
-                "springs of `springdamper` follow from the mass matrix, which takes more than {SPRING_UPDATES} steps here"
+                "springs of `springdamper` follow from the mass matrix, which takes more than {SPRING_UPDATES} updates here"
             );
             let fault =
                 Diagnostic::error(message).help("give `stiffness` and `damping` as numbers");

@@ -69,8 +69,8 @@ fn read<'d>(
     let mut bodies = found.bodies.written(reader, total_mass, &ties.held());
     ties.apply(reader, &mut bodies.list, &bodies.references);
     names::tell_joints_apart(reader, &mut bodies.list);
-    finite::check(reader, &bodies.list);
     let frames = sites::written(reader, &models, &found.sites, &bodies.list);
+    finite::check(reader, &bodies.list, &frames);
     let worlds = main.named("worldbody");
     let world = worlds.first().map_or(root.span(), |w| w.span());
     Some(Description {

@@ -9,12 +9,15 @@ use crate::limits::{XML_ATTRIBUTES, XML_NAMESPACES};
 
 /// What would take too long to parse.
 pub(crate) fn check(text: &str) -> Result<(), Diagnostic> {
-    let mut namespaces = text.match_indices("xmlns");
-    if let Some((at, found)) = namespaces.nth(XML_NAMESPACES) {
-        let message = format!("more than {XML_NAMESPACES} namespaces are declared; expected fewer");
-        return Err(at_place(message, at, found));
-    }
-    for Tag { at, n_values, .. } in tags(text) {
+    let mut n_namespaces = 0;
+    for Tag { at, n_values, text } in tags(text) {
+        n_namespaces += text.matches("xmlns").count();
+        if n_namespaces > XML_NAMESPACES {
+            let message = format!(
+                "more than {XML_NAMESPACES} namespaces are declared; expected at most that"
+            );
+            return Err(at_place(message, at, "<"));
+        }
         if n_values > XML_ATTRIBUTES {
             let message =
                 format!("the element has {n_values} attributes; expected at most {XML_ATTRIBUTES}");

@@ -79,8 +79,8 @@ pub fn advice(name: &str) -> String {
         format!("here it is called `{request}`{comma}{remark}")
     } else if let Some(operator) = found(&OPERATORS, &words) {
         format!("expected `{operator}`, of a function `F` by variables `X`")
-    } else if let Some(module) = found(&RUNTIME, &words) {
-        format!("`{module}` does that in Rust, for every system")
+    } else if let Some(of_runtime) = found(&RUNTIME, &words) {
+        format!("that is {of_runtime}, for every system")
     } else if let Some(advice) = found(&NO_FUNCTIONS, &words) {
         advice.to_owned()
     } else if let Some(request) = generated_name::request(name) {

@@ -436,25 +436,28 @@ pub(super) const OPERATORS: [(&str, &[&str]); 5] = [
 
 /// What the runtime crate does, for every system.
 pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
-    ("kane::inverse_kinematics", &["inversekinematics", "ik"]),
     (
-        "kane::manifold::q_plus",
+        "`kane::inverse_kinematics` in Rust",
+        &["inversekinematics", "ik"],
+    ),
+    (
+        "`kane::manifold::q_plus` in Rust, `q_plus` in C",
         &["integrate", "mjintegratepos", "qplus"],
     ),
     (
-        "kane::manifold::q_minus",
+        "`kane::manifold::q_minus` in Rust, `q_minus` in C",
         &["difference", "mjdifferentiatepos", "qminus"],
     ),
     (
-        "kane::manifold::TangentMap",
+        "`kane::manifold::TangentMap` in Rust",
         &["dintegrate", "ddifference", "integratetransport"],
     ),
     (
-        "kane::rotation",
+        "`kane::rotation` in Rust",
         &["log3", "log6", "exp3", "exp6", "jlog3", "jlog6", "jexp3"],
     ),
     (
-        "kane::discrete",
+        "`kane::discrete` in Rust, `rk4_step` and others in C",
         &[
             "euler",
             "eulerstep",

@@ -5,44 +5,37 @@ use std::collections::BTreeSet;
 use super::{
     data,
     rules::{RULES, SCALARS, scalar_type, symbol},
+    runtime,
     text::once,
 };
 use crate::{
     functions::{Access, Declared, Element, Length, Signature},
     listing::{Facts, Module, Size, nominal},
     taken::Taken,
-    words::C_STRUCTURES,
+    words::{C_INPUT, C_STRUCTURES},
 };
 
 /// The text of the header of the module `name`, for C99 and C++.
 pub fn text(module: &Module, name: &str) -> String {
     let facts = &module.facts;
-    let empty = facts.sizes.0.iter().filter(|size| {
-        let patterns = facts.patterns.iter().map(|pattern| &pattern.columns);
-        let own = patterns.chain(facts.frame_speeds.iter().map(|frame| &frame.length));
-        let own = own.chain(facts.entries.iter().map(|entries| &entries.length));
-        let arguments = module.all().flat_map(|one| &one.signature.arguments);
-        let lengths = arguments.flat_map(|argument| &argument.lengths);
-        let constants = lengths.filter_map(|length| match length {
-            Length::Constant(name) => Some(name),
-            Length::Number(_) => None,
-        });
-        size.value == 0 && own.chain(constants).any(|length| *length == size.name)
-    });
+    let runtime = runtime::of(module);
+    let own = module.all().map(|function| &function.signature);
+    let runtime = runtime.iter().map(|function| &function.signature);
+    let signatures: Vec<&Signature> = own.chain(runtime).collect();
     let header = Header {
         facts,
         name,
         prefix: format!("{}_", name.to_uppercase()),
-        empty: empty.map(|size| size.name.as_str()).collect(),
+        empty: empty(facts, &signatures),
     };
     let guard = format!("KANE_{}H", header.prefix);
-    let signatures: Vec<&Signature> = module.all().map(|function| &function.signature).collect();
     let mut sections = vec![
         header.opening(),
         format!("#ifndef {guard}\n#define {guard}\n"),
     ];
     sections.extend(data::include(facts));
     sections.push("#ifdef __cplusplus\nextern \"C\" {\n#endif\n".to_owned());
+    sections.push(header.input());
     sections.push(header.sizes());
     sections.extend(header.places());
     sections.extend(data::tables(&module.facts, &header.prefix));
@@ -54,6 +47,23 @@ pub fn text(module: &Module, name: &str) -> String {
     sections.extend(signatures.iter().map(|one| header.prototypes(one)));
     sections.push("#ifdef __cplusplus\n}\n#endif\n\n#endif\n".to_owned());
     sections.join("\n")
+}
+
+/// The lengths that are zero, of what the header declares.
+fn empty<'a>(facts: &'a Facts, signatures: &[&Signature]) -> BTreeSet<&'a str> {
+    let empty = facts.sizes.0.iter().filter(|size| {
+        let patterns = facts.patterns.iter().map(|pattern| &pattern.columns);
+        let own = patterns.chain(facts.frame_speeds.iter().map(|frame| &frame.length));
+        let own = own.chain(facts.entries.iter().map(|entries| &entries.length));
+        let arguments = signatures.iter().flat_map(|one| &one.arguments);
+        let lengths = arguments.flat_map(|argument| &argument.lengths);
+        let constants = lengths.filter_map(|length| match length {
+            Length::Constant(name) => Some(name),
+            Length::Number(_) => None,
+        });
+        size.value == 0 && own.chain(constants).any(|length| *length == size.name)
+    });
+    empty.map(|size| size.name.as_str()).collect()
 }
 
 struct Header<'a> {
@@ -74,6 +84,19 @@ impl Header<'_> {
         );
         let lines = ["", &what, ""].into_iter().chain(RULES);
         comment("//", self.facts.origin.lines()) + &comment("//", lines)
+    }
+
+    /// What the library that is linked can be compared with.
+    fn input(&self) -> String {
+        let Self { name, prefix, .. } = self;
+        let constant = C_INPUT.to_uppercase();
+        let input = self.facts.origin.input_text();
+        format!(
+            "/// From what this header was generated. `{name}_{C_INPUT}` tells the same of the library: if it differs, build the library again.\n\
+             #define {prefix}{constant} \"{input}\"\n\
+             /// The library's `{prefix}{constant}`.\n\
+             const char *{name}_{C_INPUT}(void);\n"
+        )
     }
 
     /// Sizes of arrays.

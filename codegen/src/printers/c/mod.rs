@@ -5,6 +5,7 @@
 mod data;
 mod header;
 pub(super) mod rules;
+pub(super) mod runtime;
 mod text;
 
 pub use header::text as header;

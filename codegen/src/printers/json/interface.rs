@@ -1,17 +1,26 @@
 //! How a module is called through C: names and types that the header declares.
 
-use super::syntax::{object, string};
+use super::{
+    arguments,
+    syntax::{object, string},
+};
 use crate::{
     listing::Module,
     options::companion::HEADER,
-    printers::c::rules::{SCALARS, scalar_type, symbol},
+    printers::c::{
+        rules::{SCALARS, scalar_type, symbol},
+        runtime,
+    },
+    words::C_INPUT,
 };
 
-/// With `prefix`, the module's name, all names in C begin, and those of files. An object with the header, C's names of the scalars, and the functions that write what others are given, a line each.
+/// With `prefix`, the module's name, all names in C begin, and those of files. An object with the header, C's names of the scalars, the functions
+/// that write what others are given, and those of the runtime crate, a line each.
 pub(super) fn member(module: &Module, prefix: &str) -> String {
     let scalars = SCALARS.map(|scalar| (scalar, string(scalar_type(scalar))));
     let mut members = vec![
         ("header", string(&format!("{prefix}{HEADER}"))),
+        (C_INPUT, string(&format!("{prefix}_{C_INPUT}"))),
         ("scalars", object(&scalars)),
     ];
     let others = [&module.nominal, &module.prepare].into_iter();
@@ -19,6 +28,18 @@ pub(super) fn member(module: &Module, prefix: &str) -> String {
         let own = function.signature.name.as_str();
         (own, symbols(prefix, own))
     }));
+    let runtime = runtime::of(module);
+    let runtime = runtime.iter().map(|function| {
+        let signature = &function.signature;
+        let mut members = vec![
+            ("name", string(&signature.name)),
+            ("symbols", symbols(prefix, &signature.name)),
+        ];
+        members.extend(arguments::members(&module.facts, signature));
+        format!("      {}", object(&members))
+    });
+    let runtime = runtime.collect::<Vec<_>>().join(",\n");
+    members.push(("runtime", format!("[\n{runtime}\n    ]")));
     let lines = members.into_iter();
     let lines: Vec<String> = lines
         .map(|(key, value)| format!("    {}: {value}", string(key)))

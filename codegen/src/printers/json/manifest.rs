@@ -3,11 +3,11 @@
 //! What is known only of a compiled function, its stack and its size, is not here.
 
 use super::{
-    constants, geometry, interface, pattern,
-    syntax::{list, number, object, one_or_several, records, string, strings},
+    arguments, constants, geometry, interface,
+    syntax::{number, object, records, string, strings},
 };
 use crate::{
-    functions::{Declared, N_BODIES, N_COORDINATES, N_SPEEDS},
+    functions::{N_BODIES, N_COORDINATES, N_SPEEDS},
     generate::OUTPUT_FORMAT,
     listing::{Facts, Function, Module},
     program::Operations,
@@ -46,13 +46,15 @@ pub(crate) fn text(module: &Module, prefix: Option<&str>) -> String {
 /// Where the module comes from.
 fn identity(facts: &Facts) -> Vec<(&'static str, String)> {
     let origin = &facts.origin;
-    let hash = |hash: u64| string(&format!("{hash:016x}"));
     vec![
         // The sign of the format.
         ("generated_by", string("kane generate")),
         ("model", string(&origin.model)),
-        ("input", hash(origin.input)),
-        ("fingerprint", hash(origin.fingerprint)),
+        ("input", string(&origin.input_text())),
+        (
+            "fingerprint",
+            string(&format!("{:016x}", origin.fingerprint)),
+        ),
         ("format", OUTPUT_FORMAT.to_string()),
         ("options", string(&origin.options)),
         ("name", string(&facts.name)),
@@ -91,29 +93,13 @@ fn parameter(parameter: &Parameter) -> String {
 }
 
 fn function(facts: &Facts, function: &Function, prefix: Option<&str>) -> String {
-    let argument = |argument: &Declared| {
-        let mut members = vec![("name", string(&argument.name))];
-        let shape = facts.extent(argument).shape();
-        if let Some(lengths) = shape {
-            members.push(("shape", list(lengths)));
-            let units = &facts.units;
-            let units = argument.unit.among(&units.coordinates, &units.speeds);
-            members.push(("unit", one_or_several(&units)));
-        }
-        members.push(("meaning", string(&argument.meaning)));
-        members.extend(pattern::members(facts, argument));
-        object(&members)
-    };
-    let mut members = vec![("name", string(&function.signature.name))];
+    let signature = &function.signature;
+    let mut members = vec![("name", string(&signature.name))];
     let request = function.request.as_deref();
     members.extend(request.map(|request| ("request", string(request))));
-    members.extend(prefix.map(|prefix| {
-        let own = &function.signature.name;
-        ("symbols", interface::symbols(prefix, own))
-    }));
+    members.extend(prefix.map(|prefix| ("symbols", interface::symbols(prefix, &signature.name))));
+    members.extend(arguments::members(facts, signature));
     members.extend([
-        ("arguments", list(function.inputs().map(argument))),
-        ("outputs", list(function.outputs().map(argument))),
         ("formulation", string(function.formulation.name())),
         ("operations", operations(function.operations)),
         ("fused", function.fused.to_string()),

@@ -1,5 +1,6 @@
 //! JSON: the facts of a module, and how its functions are called, for programs that read no other language.
 
+mod arguments;
 mod constants;
 mod geometry;
 mod interface;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::Literal;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::{Item, parse_quote};
 
@@ -14,12 +14,20 @@ use super::{
 use crate::{
     functions::{Access, Element, Length, NOMINAL, PREPARE, Signature},
     listing::{Facts, Module, constants::FINGERPRINT},
-    printers::c::rules::{RULES, SCALARS, symbol},
+    printers::c::{
+        rules::{RULES, SCALARS, symbol},
+        runtime::{self, RuntimeFunction, RuntimeKind},
+    },
+    words::C_INPUT,
 };
 
 /// The text of the file beside the module `name`.
 pub(crate) fn source(module: &Module, name: &str) -> String {
-    let signatures: Vec<_> = module.all().map(|function| &function.signature).collect();
+    let runtime = runtime::of(module);
+    let own = module.all().map(|function| &function.signature);
+    let own: Vec<_> = own.collect();
+    let of_runtime = runtime.iter().map(|function| &function.signature);
+    let signatures: Vec<_> = own.iter().copied().chain(of_runtime).collect();
     let mut text = banner(&module.facts.origin.lines());
     let what = format!(
         "The functions of the module `{name}` for C; `{name}.h` declares them. In the crate: `mod {name}; mod {name}_c;`."
@@ -28,9 +36,18 @@ pub(crate) fn source(module: &Module, name: &str) -> String {
         text.push_str(format!("// {line}").trim_end());
         text.push('\n');
     }
-    let mut items = vec![imports(&signatures, name), belongs_together(module, name)];
-    for signature in &signatures {
-        items.extend(SCALARS.map(|scalar| function(signature, name, scalar)));
+    let mut items = vec![
+        imports(&signatures, name),
+        belongs_together(module, name),
+        input(module, name),
+    ];
+    for signature in own {
+        let body = call(signature, name);
+        items.extend(SCALARS.map(|scalar| function(signature, name, scalar, &body)));
+    }
+    for RuntimeFunction { signature, kind } in &runtime {
+        let body = runtime_call(*kind);
+        items.extend(SCALARS.map(|scalar| function(signature, name, scalar, &body)));
     }
     text + &printed(items)
 }
@@ -73,8 +90,21 @@ fn belongs_together(module: &Module, name: &str) -> Item {
     }
 }
 
-fn function(signature: &Signature, module: &str, scalar: &str) -> Item {
-    let own = ident(&signature.name);
+/// What a header can be compared with.
+fn input(module: &Module, name: &str) -> Item {
+    let symbol = ident(&format!("{name}_{C_INPUT}"));
+    let text = format!("{}\0", module.facts.origin.input_text());
+    let doc = doc(["From what this was generated: as in the header, where that belongs to it."]);
+    parse_quote! {
+        #doc
+        #[unsafe(no_mangle)]
+        pub extern "C" fn #symbol() -> *const core::ffi::c_char {
+            #text.as_ptr().cast()
+        }
+    }
+}
+
+fn function(signature: &Signature, module: &str, scalar: &str, body: &TokenStream) -> Item {
     let name = |scalar: &str| symbol(module, &signature.name, scalar);
     let safety = "As the beginning of this file says.";
     let lines = if scalar == SCALARS[0] {
@@ -96,6 +126,19 @@ fn function(signature: &Signature, module: &str, scalar: &str) -> Item {
             Access::Written => quote!(#name: *mut #held),
         }
     });
+    let name = ident(&name(scalar));
+    parse_quote! {
+        #doc
+        #allow
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn #name(#(#declared),*) {
+            unsafe { #body }
+        }
+    }
+}
+
+/// The call of a function of the module.
+fn call(signature: &Signature, module: &str) -> TokenStream {
     let passed = signature.arguments.iter().map(|argument| {
         let name = ident(&argument.name);
         match argument.access {
@@ -103,18 +146,50 @@ fn function(signature: &Signature, module: &str, scalar: &str) -> Item {
             Access::Written => quote!(&mut *#name),
         }
     });
-    let (name, module) = (ident(&name(scalar)), ident(module));
-    let body = match signature.name.as_str() {
+    let (own, module) = (ident(&signature.name), ident(module));
+    match signature.name.as_str() {
         NOMINAL => quote!(parameters.write(Parameters::default());),
         PREPARE => quote!(p.write(Prepared::new(&*parameters));),
         _ => quote!(super::#module::#own(#(#passed),*);),
+    }
+}
+
+/// The call of a function of the runtime crate.
+fn runtime_call(kind: RuntimeKind) -> TokenStream {
+    let start = quote! {
+        q_after.write(*q);
+        u_after.write(*u);
     };
-    parse_quote! {
-        #doc
-        #allow
-        #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn #name(#(#declared),*) {
-            unsafe { #body }
+    match kind {
+        RuntimeKind::QPlus => quote! {
+            q_after.write(kane::manifold::q_plus(&*p, &*q, &*direction));
+        },
+        RuntimeKind::QMinus => quote! {
+            direction.write(kane::manifold::q_minus(&*p, &*from, &*to));
+        },
+        RuntimeKind::Step(of) => {
+            let of = ident(of);
+            quote! {
+                #start
+                kane::discrete::#of::step(&*p, &*tau, *dt, &mut *q_after, &mut *u_after);
+            }
+        }
+        RuntimeKind::Linearized(of) => {
+            let of = ident(of);
+            quote! {
+                #start
+                let mut derivatives = kane::discrete::StepDerivatives::filled([[0.0; NU]; NU]);
+                let state = (&mut *q_after, &mut *u_after);
+                kane::discrete::#of::linearized(&*p, &*tau, *dt, state, &mut derivatives);
+                let rows = |[left, right]: [[[_; NU]; NU]; 2]| {
+                    core::array::from_fn(|row| [left[row], right[row]])
+                };
+                a.write([
+                    rows([derivatives.q_by_q, derivatives.q_by_u]),
+                    rows([derivatives.u_by_q, derivatives.u_by_u]),
+                ]);
+                b.write([derivatives.q_by_tau, derivatives.u_by_tau]);
+            }
         }
     }
 }

@@ -7,7 +7,7 @@ use super::{
     found::Derivatives,
     reader::Reader,
     start::Start,
-    way::{At, doubled},
+    way::At,
 };
 use crate::{
     expr::{ExprGraph, Vector},
@@ -158,7 +158,7 @@ impl Carried<'_, '_> {
         graph.enter(self.body);
         self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
         let w = drive.speeds(graph);
-        let w = doubled(graph, w);
+        let w = graph.doubled(w);
         self.rates = self
             .rates
             .undriven(graph, &mut self.moments, rotation, (drive, w));
@@ -230,7 +230,7 @@ impl Passenger for Carried<'_, '_> {
         self.send(graph);
         graph.enter(self.body);
         let own = speeds(graph, motions);
-        let own = doubled(graph, own);
+        let own = graph.doubled(own);
         self.rates = self.rates.carried(graph, &self.moments, own);
     }
 }

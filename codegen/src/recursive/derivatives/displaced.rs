@@ -1,7 +1,6 @@
 //! What masses at `r` need where their accelerations change by `D × r + 2 u × (w × r)`: a turn displaces them, and their relative
 //! motions turn with them.
 
-use super::way::doubled;
 use crate::{
     expr::{ExprGraph, Vector},
     recursive::{links::link_motion::LinkMotion, matrices::moments::Moments},
@@ -17,7 +16,7 @@ pub(super) fn by_turn(
     d: Vector,
     [w, u]: [Vector; 2],
 ) -> [Vector; 2] {
-    let w = doubled(graph, w);
+    let w = graph.doubled(w);
     let moving = graph.cross(w, moments.first);
     let (moved, passing) = (graph.cross(d, moments.first), graph.cross(u, moving));
     let spread = graph.mul_symmetric(&moments.second, u);
@@ -44,7 +43,7 @@ pub(super) fn by_angle(
         return [moments.moment_of_field(graph, &q, axis), force];
     }
     // What is spread of `2 w × e` is there for the couple.
-    let (e, twice) = (graph.unit_vector(axis), doubled(graph, motion.w));
+    let (e, twice) = (graph.unit_vector(axis), graph.doubled(motion.w));
     let twice = graph.cross(twice, e);
     let spread = graph.mul_symmetric(&moments.second, twice);
     let swept = graph.cross(motion.w, spread);

@@ -1,6 +1,6 @@
 //! What reads mirrored entries, of motions farther out, off their columns.
 
-use super::way::{At, doubled};
+use super::way::At;
 use crate::{
     expr::{Expr, ExprGraph, Vector},
     recursive::matrices::coriolis::column::CoriolisColumn,
@@ -31,7 +31,7 @@ impl Reader {
         let d = at.lower.u.map(|row| row[axis]);
         // Couples are of velocities as the inertial frame sees them, not the joint: `2 v × u` is what that adds.
         let (felt, moved) = (graph.cross(at.after.a, e), graph.cross(at.v, u));
-        let twice = doubled(graph, at.after.w);
+        let twice = graph.doubled(at.after.w);
         let (turned, own) = (graph.cross(twice, e), graph.cross(own, e));
         Self {
             motion,
@@ -43,7 +43,7 @@ impl Reader {
 
     pub(super) fn of_shift(graph: &mut ExprGraph, motion: Motion, axis: usize, at: &At) -> Self {
         let e = graph.unit_vector(axis);
-        let twice = doubled(graph, at.lower.w);
+        let twice = graph.doubled(at.lower.w);
         let still = graph.zero_vector();
         Self {
             motion,

@@ -1,11 +1,6 @@
 //! Where columns begin: what a motion makes of the masses that it moves.
 
-use super::{
-    column::DerivativeColumn,
-    displaced,
-    reader::Reader,
-    way::{At, doubled},
-};
+use super::{column::DerivativeColumn, displaced, reader::Reader, way::At};
 use crate::{
     expr::{Expr, ExprGraph, Matrix, Symmetric, Vector},
     id::BodyId,
@@ -53,7 +48,7 @@ impl Start {
             moments, rates, at, ..
         } = self;
         let axis = reader.place;
-        let velocity: Velocity = [doubled(graph, at.after.w), at.v];
+        let velocity: Velocity = [graph.doubled(at.after.w), at.v];
         let mut carrying =
             CoriolisColumn::of_turn(graph, self.masses(), reader.motion, axis, velocity);
         let e = graph.unit_vector(axis);
@@ -100,7 +95,7 @@ impl Start {
     /// The column of a translation.
     pub(super) fn shift(&self, graph: &mut ExprGraph, reader: &Reader) -> DerivativeColumn {
         let (axis, moments, at) = (reader.place - 3, &self.moments, &self.at);
-        let velocity: Velocity = [doubled(graph, at.lower.w), at.v];
+        let velocity: Velocity = [graph.doubled(at.lower.w), at.v];
         let carrying =
             CoriolisColumn::of_shift(graph, self.masses(), reader.motion, axis, velocity);
         let (e, d) = (graph.unit_vector(axis), reader.by_q[1]);

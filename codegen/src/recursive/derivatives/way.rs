@@ -100,7 +100,7 @@ pub(super) fn ways(
 
 impl Passenger for Way<'_> {
     fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
-        let w = doubled(graph, self.moving.w);
+        let w = graph.doubled(self.moving.w);
         let swept = graph.cross(w, offset);
         self.v = graph.add_vectors(self.v, swept);
         self.moving.shift(graph, lower, offset);
@@ -137,7 +137,7 @@ impl Passenger for Way<'_> {
         let lower = self.moving.reached(graph);
         if !self.is_root {
             let own = speeds(graph, motions);
-            let own = doubled(graph, own);
+            let own = graph.doubled(own);
             self.v = graph.add_vectors(self.v, own);
         }
         self.moving.along(graph, motions);
@@ -150,10 +150,4 @@ impl Passenger for Way<'_> {
             before: None,
         });
     }
-}
-
-/// What is linear in velocities passes doubled.
-pub(super) fn doubled(graph: &mut ExprGraph, v: Vector) -> Vector {
-    let two = graph.number(2.0);
-    graph.scale(two, v)
 }

@@ -276,8 +276,7 @@ impl Passenger for LinkAcceleration {
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
         let rates = speeds(graph, motions);
-        let two = graph.number(2.0);
-        let twice = graph.scale(two, rates);
+        let twice = graph.doubled(rates);
         let convected = graph.cross(self.angular, twice);
         let second = speed_rates(graph, motions, self.accelerations);
         for term in [second, convected] {

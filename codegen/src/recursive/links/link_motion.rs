@@ -269,8 +269,7 @@ impl Passenger for Moving<'_> {
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
         let s_dot = speeds(graph, motions);
         let s_ddot = speed_rates(graph, motions, self.accelerations);
-        let two = graph.number(2.0);
-        let twice = graph.scale(two, s_dot);
+        let twice = graph.doubled(s_dot);
         let coriolis = graph.cross(self.w, twice);
         self.a = graph.add_vectors(self.a, coriolis);
         self.a = graph.add_vectors(self.a, s_ddot);

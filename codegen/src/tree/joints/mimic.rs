@@ -47,7 +47,13 @@ fn followers(
         .collect();
     let mut chains = Chains::of(&links);
     let ends = (0..joints.len()).map(|body| match chains.end(body) {
-        End::Free(followed) => follower(joints, body, followed),
+        End::Free(followed) => match follower(joints, body, followed) {
+            Some((_, freedom)) if !is_finite(freedom) => {
+                findings.push(too_large(description, body));
+                None
+            }
+            follower => follower,
+        },
         End::Cycle(chain) => {
             findings.push(cycle(description, &chain));
             None
@@ -86,6 +92,17 @@ fn follower(
         },
     };
     Some((motion, freedom))
+}
+
+/// Whether the numbers of a chain fit.
+fn is_finite(freedom: Freedom) -> bool {
+    match freedom {
+        Freedom::Free(_) => true,
+        Freedom::Locked(value) => value.is_finite(),
+        Freedom::Follows {
+            multiplier, offset, ..
+        } => multiplier.is_finite() && offset.is_finite(),
+    }
 }
 
 /// What joints mimic, from one to the next.
@@ -253,6 +270,19 @@ fn link(
         multiplier: *multiplier,
         offset: *offset,
     })
+}
+
+/// A joint that follows another by numbers that do not fit.
+fn too_large(description: &Description, body: usize) -> Diagnostic {
+    let name = shown(description, body);
+    let fault = format!(
+        "the joint of {name} follows another by numbers whose products do not fit a 64-bit float"
+    );
+    let fault = Diagnostic::error(fault);
+    match &description.bodies[body].joint.mimic {
+        Some(mimic) => fault.at(mimic.span, "expected smaller numbers"),
+        None => fault,
+    }
 }
 
 fn cycle(description: &Description, chain: &[usize]) -> Diagnostic {

@@ -234,7 +234,8 @@ fn names_in_c_are_those_of_the_header() {
     let c = &manifest["c"];
     assert_eq!(c["header"], "legged.h");
     assert_eq!(c["scalars"], json!({ "f64": "double", "f32": "float" }));
-    let listed = manifest["functions"].as_array().unwrap().iter();
+    let listed = [&manifest["functions"], &c["runtime"]].into_iter();
+    let listed = listed.flat_map(|functions| functions.as_array().unwrap());
     let symbols = ["nominal", "prepare", "sin_cos"].map(|name| &c[name]);
     let symbols = symbols
         .into_iter()
@@ -247,6 +248,10 @@ fn names_in_c_are_those_of_the_header() {
         .map(|rest| rest.split_once('(').unwrap().0)
         .collect();
     assert_eq!(symbols, declared);
+    let input = format!("#define LEGGED_INPUT {}\n", manifest["input"]);
+    assert!(header.contains(&input), "{input}");
+    let told = format!("const char *{}(void);", c["input"].as_str().unwrap());
+    assert!(header.contains(&told), "{told}");
     let prepared = format!("double values[{}];", manifest["prepared"]);
     assert!(header.contains(&prepared), "{prepared}");
     let plain = robot(functions, "");

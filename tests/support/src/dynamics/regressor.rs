@@ -60,7 +60,7 @@ pub fn base_parameters_make_the_forces_of_inertial_ones(model: &dyn Model, state
     };
     let (expected, most) = forces("regressor", "inertial_parameters");
     let (found, of_base) = forces("base_regressor", "base_parameters");
-    relative_to(larger(most, of_base).max(1e-300), &found, &expected)
+    relative_to(larger(larger(most, of_base), 1e-300), &found, &expected)
 }
 
 /// The packed entries are those of the regressor, and what has no place among them is zero.

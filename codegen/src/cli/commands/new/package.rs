@@ -6,11 +6,6 @@ use kane_codegen::{companions::Abi, listing::Limits, tree::Tree};
 const PROGRAM: &str = include_str!("main.rs.txt");
 /// The program in C, the library that it links, and how both are built, likewise.
 const C_PROGRAM: &str = include_str!("main.c.txt");
-const C_NORMALIZE: &str = "    double normalized[NQ]; /* quaternions of length one */
-    {{module}}_normalize_f64(system, q, normalized);
-    for (int i = 0; i < NQ; ++i)
-        q[i] = normalized[i];
-";
 const C_LIBRARY: &str = include_str!("lib.rs.txt");
 const C_MAKEFILE: &str = include_str!("makefile.txt");
 /// The workflow, likewise.
@@ -66,15 +61,9 @@ pub(super) fn program(
 }
 
 fn c_program(name: &str, tree: &Tree) -> Vec<(&'static str, String)> {
-    let normalize = if tree.has_quaternions() {
-        C_NORMALIZE
-    } else {
-        ""
-    };
-    let program = C_PROGRAM.replace("{{normalize}}", normalize);
     let line = |value: &str, name: &str| format!("        {value}, /* {name} */\n");
     vec![
-        ("main.c", filled(&program, name, &start(tree, line))),
+        ("main.c", filled(C_PROGRAM, name, &start(tree, line))),
         ("src/lib.rs", filled(C_LIBRARY, name, "")),
         ("Makefile", filled(C_MAKEFILE, name, "")),
     ]

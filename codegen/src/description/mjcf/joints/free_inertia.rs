@@ -4,7 +4,7 @@ use crate::description::mjcf::joints::JointElement;
 use crate::description::mjcf::joints::joint_type::JointType;
 use crate::description::mjcf::mass::solid::{Solid, Tensor, turned};
 use crate::description::mjcf::placement::Placement;
-use crate::geometry::{Vector, cross, dot, scaled, sum};
+use crate::geometry::{Vector, cross, dot, of_unit_mass, scaled, sum, symmetric};
 use crate::limits::SPRING_UPDATES;
 
 /// A body in the reference pose, `qpos0` of MuJoCo, behind its lower body in the list.
@@ -177,22 +177,15 @@ impl Inertia {
         let Some(solid) = mass else {
             return Self::NONE;
         };
-        let [x, y, z] = place.point(solid.center);
-        let shift = [
-            y * y + z * z,
-            x * x + z * z,
-            x * x + y * y,
-            -x * y,
-            -x * z,
-            -y * z,
-        ];
+        let center = place.point(solid.center);
+        let shift = of_unit_mass(center);
         let mut tensor = turned(solid.inertia, &place.rotation);
         for (entry, shift) in tensor.iter_mut().zip(shift) {
             *entry += solid.mass * shift;
         }
         Self {
             mass: solid.mass,
-            moment: scaled([x, y, z], solid.mass),
+            moment: scaled(center, solid.mass),
             tensor,
         }
     }
@@ -207,9 +200,7 @@ impl Inertia {
 
     /// Momentum and angular momentum about the world's origin.
     fn times(&self, axis: &Axis) -> Axis {
-        let [xx, yy, zz, xy, xz, yz] = self.tensor;
-        let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-        let spin = rows.map(|row| dot(row, axis.angular));
+        let spin = symmetric(self.tensor).map(|row| dot(row, axis.angular));
         Axis {
             linear: sum(
                 scaled(axis.linear, self.mass),

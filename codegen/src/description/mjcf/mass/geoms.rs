@@ -106,7 +106,7 @@ fn amount(reader: &mut Reader, geom: &Attributes<'_>) -> Amount {
         let value = geom.number(reader, name);
         if let Some(value) = value.filter(|value| value.value < 0.0) {
             let message = format!(
-                "{} is {}; expected no less than 0",
+                "{} is {:?}; expected no less than 0",
                 geom.what(name),
                 value.value
             );

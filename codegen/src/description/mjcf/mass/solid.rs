@@ -2,7 +2,7 @@
 
 use crate::description::Rotation;
 use crate::description::mjcf::placement::Placement;
-use crate::geometry::{Vector, difference};
+use crate::geometry::{Vector, difference, of_unit_mass, symmetric};
 
 /// A symmetric matrix: xx, yy, zz, xy, xz, yz.
 pub(in crate::description::mjcf) type Tensor = [f64; 6];
@@ -127,8 +127,7 @@ fn squares([a, b, c]: Vector) -> Vector {
 
 /// A tensor, given in the axes that the rotation leads to, in those that it leads from: `CᵀTC`.
 pub(in crate::description::mjcf) fn turned(tensor: Tensor, rotation: &Rotation) -> Tensor {
-    let [xx, yy, zz, xy, xz, yz] = tensor;
-    let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    let rows = symmetric(tensor);
     let entry = |i: usize, j: usize| {
         let mut sum = 0.0;
         for (k, row) in rows.iter().enumerate() {
@@ -168,15 +167,7 @@ pub(in crate::description::mjcf) fn together(solids: &[Solid]) -> Option<Solid> 
     });
     let mut inertia = [0.0; 6];
     for solid in solids {
-        let [x, y, z] = difference(solid.center, center);
-        let shift = [
-            y * y + z * z,
-            x * x + z * z,
-            x * x + y * y,
-            -x * y,
-            -x * z,
-            -y * z,
-        ];
+        let shift = of_unit_mass(difference(solid.center, center));
         for (index, sum) in inertia.iter_mut().enumerate() {
             *sum += solid.inertia[index] + solid.mass * shift[index];
         }

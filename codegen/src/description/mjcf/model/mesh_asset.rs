@@ -222,7 +222,7 @@ fn read(reader: &mut Reader, reading: &WantedMesh<'_>, file: Spanned<&str>) -> O
         Ok(bytes) => bytes,
         Err(error) => {
             // One that is too large was read up to the limit.
-            if error.kind() != io::ErrorKind::NotFound {
+            if error.kind() == io::ErrorKind::FileTooLarge {
                 let all = reading.budget.bytes.get() + MESH_BYTES;
                 reading.budget.bytes.set(all);
             }
@@ -272,7 +272,7 @@ fn inline(reader: &mut Reader, reading: &WantedMesh<'_>) -> Option<Surface> {
         return None;
     }
     let points = triples::<f32>(reader, mesh, "vertex", "a number")?;
-    let faces = triples::<u32>(reader, mesh, "face", "a whole number")?;
+    let faces = triples::<u32>(reader, mesh, "face", "a whole number from 0 on")?;
     match Surface::new(points, faces) {
         Ok(surface) => Some(surface),
         Err(fault) => {
@@ -301,7 +301,7 @@ fn triples<T: Copy + std::str::FromStr>(
                 mesh.what(name),
                 shown(word)
             );
-            let fault = Diagnostic::error(message).at(text.span, "no number");
+            let fault = Diagnostic::error(message).at(text.span, "here");
             reader.faults.push(fault);
             return None;
         };

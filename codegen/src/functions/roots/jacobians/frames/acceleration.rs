@@ -113,8 +113,7 @@ fn by_coordinate(graph: &mut ExprGraph, [v, w]: Twist, before: &Moved, after: &M
     let (turning, alpha) = (before.velocity[1], before.acceleration[1]);
     let moved = graph.cross(turning, v);
     let carried = after.velocity.map(|part| graph.cross(w, part));
-    let two = graph.number(2.0);
-    let twice = graph.scale(two, carried[0]);
+    let twice = graph.doubled(carried[0]);
     let relative = graph.add_vectors(moved, twice);
     let terms = [
         graph.cross(alpha, v),
@@ -137,8 +136,7 @@ fn by_speed_alone(graph: &mut ExprGraph, [v, w]: Twist, before: &Moved, after: &
     let moved = graph.cross(before.velocity[1], v);
     let carried = graph.cross(w, after.velocity[0]);
     let sum = graph.add_vectors(moved, carried);
-    let two = graph.number(2.0);
-    let linear = graph.scale(two, sum);
+    let linear = graph.doubled(sum);
     [linear, between(graph, w, before, after)]
 }
 
@@ -149,9 +147,8 @@ fn by_speed(
     (before, own): (&Moved, Twist),
     farther: &Moved,
 ) -> Twist {
-    let two = graph.number(2.0);
     let mut twice = |part: Vector, own: Vector| {
-        let twice = graph.scale(two, part);
+        let twice = graph.doubled(part);
         graph.add_vectors(twice, own)
     };
     let turning = twice(before.velocity[1], own[1]);

@@ -135,8 +135,7 @@ impl Moved {
     /// With motions that carry these: `a + v_dot + w × (2 V + v)`, `α + w_dot + w × W`.
     fn with_before(self, graph: &mut ExprGraph, group: &Group) -> Self {
         let [v, w] = group.velocity;
-        let two = graph.number(2.0);
-        let twice = graph.scale(two, self.velocity[0]);
+        let twice = graph.doubled(self.velocity[0]);
         let twice = graph.add_vectors(twice, v);
         let carried = [twice, self.velocity[1]].map(|part| graph.cross(w, part));
         let acceleration = [0, 1].map(|part| {

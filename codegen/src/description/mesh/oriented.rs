@@ -5,7 +5,7 @@ use crate::description::mesh::sums::triangle;
 use crate::description::mesh::surface::Surface;
 use crate::geometry::Vector;
 
-/// Faces with a smaller area have no direction, m².
+/// Faces with a smaller area, in the file's unit squared, have no direction, as in MuJoCo.
 const SMALL: f64 = 3.162_277_660_168_379e-8;
 
 /// Refuses a surface of which an edge is passed twice in the same direction.

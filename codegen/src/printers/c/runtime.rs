@@ -1,0 +1,204 @@
+//! What C gets of the runtime crate beside a module's functions: sums and differences of coordinates, steps and their derivatives.
+
+use crate::{
+    functions::{
+        Access, Argument, Declared, Element, FORCE, Length, N_SPEEDS, SPEED, Signature, Unit,
+    },
+    listing::{Module, Units},
+    words::C_RUNTIME,
+};
+
+/// The trait of what derivatives of steps need.
+const OF_LINEARIZED: &str = "ForwardDynamicsAndDerivatives";
+
+/// A function of the runtime crate.
+pub(crate) struct RuntimeFunction {
+    /// How C calls it.
+    pub(crate) signature: Signature,
+    /// Which one it is.
+    pub(crate) kind: RuntimeKind,
+}
+
+/// Which function of the runtime crate it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum RuntimeKind {
+    /// `kane::manifold::q_plus`.
+    QPlus,
+    /// `kane::manifold::q_minus`.
+    QMinus,
+    /// `step` of this module of `kane::discrete`.
+    Step(&'static str),
+    /// `linearized` of this module of `kane::discrete`.
+    Linearized(&'static str),
+}
+
+/// Changes of coordinates.
+const DIRECTION: Unit = Unit::BySpeed(["rad", "m"]);
+
+/// Those that can be called with the functions of a module.
+pub(crate) fn of(module: &Module) -> Vec<RuntimeFunction> {
+    let functions = module.functions.iter();
+    let mut parts = functions
+        .clone()
+        .filter_map(|one| one.catalogue_part.as_ref());
+    let has_step = parts.any(|part| part.function.name == "forward_dynamics");
+    let mut traits = functions.filter_map(|one| one.derivative_trait.as_ref());
+    let has_derivatives = traits.any(|own| own.name == OF_LINEARIZED);
+    let [_, _, euler_step, rk4_step, euler_linearized, rk4_linearized] = C_RUNTIME;
+    let mut all = vec![q_plus(), q_minus()];
+    if has_step {
+        all.push(step(euler_step, &EULER));
+        all.push(step(rk4_step, &RK4));
+    }
+    if has_derivatives {
+        let matrices = matrices(&module.facts.units);
+        all.push(linearized(euler_linearized, &EULER, &matrices));
+        all.push(linearized(rk4_linearized, &RK4, &matrices));
+    }
+    all
+}
+
+/// A kind of step.
+struct Kind {
+    /// The module of `kane::discrete`.
+    module: &'static str,
+    /// What it is, in words.
+    what: &'static str,
+}
+
+const EULER: Kind = Kind {
+    module: "euler",
+    what: "a semi-implicit Euler step",
+};
+const RK4: Kind = Kind {
+    module: "rk4",
+    what: "a Runge-Kutta step of fourth order",
+};
+
+fn q_plus() -> RuntimeFunction {
+    let [name, ..] = C_RUNTIME;
+    let doc = "Coordinates after unit time at the constant speeds `direction`, beginning at `q`. Quaternions keep their length.";
+    let direction = Declared::read("direction", Element::Scalar, "speeds times a time");
+    let q = Argument::Q.declared();
+    let after = after(&q);
+    function(
+        name,
+        &[doc],
+        [q, of_speeds(direction), after],
+        RuntimeKind::QPlus,
+    )
+}
+
+fn q_minus() -> RuntimeFunction {
+    let [_, name, ..] = C_RUNTIME;
+    let doc = "The direction by which `q_plus` leads `from` one `q` `to` another. Orientations turn by half a revolution at most.";
+    let q = |name: &str| Declared {
+        name: name.to_owned(),
+        ..Argument::Q.declared()
+    };
+    let direction = written("direction", "what `q_plus` is given");
+    let of = [q("from"), q("to"), of_speeds(direction)];
+    function(name, &[doc], of, RuntimeKind::QMinus)
+}
+
+fn step(name: &str, kind: &Kind) -> RuntimeFunction {
+    let doc = after_step(kind);
+    function(name, &[&doc], state(), RuntimeKind::Step(kind.module))
+}
+
+fn linearized(name: &str, kind: &Kind, matrices: &[Declared; 2]) -> RuntimeFunction {
+    let doc = [
+        &after_step(kind),
+        "Also its derivatives: a change of the state, of `q` before that of `u`, is after the step `a` times that before it and `b` times that of `tau`.",
+        "A change of `q` has one entry per speed, along the axes of `u`.",
+    ];
+    let arguments = state().into_iter().chain(matrices.iter().cloned());
+    function(name, &doc, arguments, RuntimeKind::Linearized(kind.module))
+}
+
+fn after_step(kind: &Kind) -> String {
+    let what = kind.what;
+    format!(
+        "The state after {what} of the time `dt`, in which `tau` stays constant. Quaternions keep their length."
+    )
+}
+
+/// What a step is given, and what it writes.
+fn state() -> [Declared; 6] {
+    let [q, u, tau] = [Argument::Q, Argument::U, Argument::Tau].map(Argument::declared);
+    let dt = Declared {
+        unit: Unit::Of(&["s"]),
+        ..Declared::read("dt", Element::Scalar, "the time of the step")
+    };
+    let [q_after, u_after] = [after(&q), after(&u)];
+    [q, u, tau, dt, q_after, u_after]
+}
+
+/// The matrices of a linearized step, `2 NU` by `2 NU` and `2 NU` by `NU`.
+fn matrices(units: &Units) -> [Declared; 2] {
+    let n_speeds = || Length::Constant(N_SPEEDS.to_owned());
+    let given = |unit: Unit| {
+        let units = unit.among(&units.coordinates, &units.speeds);
+        Unit::Derived(units.into_iter().map(str::to_owned).collect())
+    };
+    let [direction, speed, force] =
+        [DIRECTION, Unit::BySpeed(SPEED), Unit::BySpeed(FORCE)].map(given);
+    let changes = [direction, speed];
+    let matrix = |declared, columns: &[Length], by: &[Unit]| {
+        let pairs = changes
+            .iter()
+            .flat_map(|of| by.iter().map(move |by| (of, by)));
+        Declared {
+            lengths: [&[Length::Number(2), n_speeds()], columns].concat(),
+            unit: Unit::quotients(pairs),
+            ..declared
+        }
+    };
+    let a = written("a", "how the state before the step changes that after it");
+    let b = written("b", "how `tau` changes the state after the step");
+    [
+        matrix(a, &[Length::Number(2), n_speeds()], &changes),
+        matrix(b, &[n_speeds()], &[force]),
+    ]
+}
+
+/// A change of coordinates.
+fn of_speeds(declared: Declared) -> Declared {
+    Declared {
+        lengths: vec![Length::Constant(N_SPEEDS.to_owned())],
+        unit: DIRECTION,
+        ..declared
+    }
+}
+
+/// The same afterwards.
+fn after(of: &Declared) -> Declared {
+    Declared {
+        name: format!("{}_after", of.name),
+        access: Access::Written,
+        meaning: format!("{} afterwards", of.meaning).into(),
+        ..of.clone()
+    }
+}
+
+fn written(name: &str, meaning: &'static str) -> Declared {
+    Declared {
+        meaning: meaning.into(),
+        ..Declared::written(name, Element::Scalar)
+    }
+}
+
+fn function(
+    name: &str,
+    doc: &[&str],
+    own: impl IntoIterator<Item = Declared>,
+    kind: RuntimeKind,
+) -> RuntimeFunction {
+    let signature = Signature {
+        name: name.to_owned(),
+        doc: doc.iter().map(|&line| line.to_owned()).collect(),
+        tables: Vec::new(),
+        arguments: [Declared::prepared()].into_iter().chain(own).collect(),
+    };
+    RuntimeFunction { signature, kind }
+}
