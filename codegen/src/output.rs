@@ -1,13 +1,14 @@
 //! Writing a file: whole or not at all, and never over a file that is not ours.
 
 use std::{
+    borrow::Cow,
     collections::BTreeSet,
     fs::{self, File},
     io::{self, Write as _},
     path::{Path, PathBuf},
 };
 
-use crate::{error::Error, input, ownership};
+use crate::{error::Error, input, limits::OUTPUT_BYTES, ownership};
 
 /// How the names of files begin and end that are not whole yet.
 const PREFIX: &str = ".kane-generate-";
@@ -71,6 +72,10 @@ pub fn write(files: &[(PathBuf, &str)], overwrite: Overwrite) -> Result<(), Erro
 /// # Errors
 /// [`Error::NotGenerated`] or [`Error::Exists`] where the file may not be overwritten; [`Error::Io`].
 pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Error> {
+    // A link stays one, and what it leads to is replaced.
+    let led = path.is_symlink().then(|| fs::canonicalize(path).ok());
+    let path = led.flatten().map_or(Cow::Borrowed(path), Cow::Owned);
+    let path = &*path;
     let io = |source| Error::Io {
         path: path.to_owned(),
         source,
@@ -79,6 +84,13 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
         path: path.to_owned(),
         file,
     };
+    if text.len() > OUTPUT_BYTES {
+        let fault = format!(
+            "it would have {} bytes; expected at most {OUTPUT_BYTES}, which can be compared and replaced",
+            text.len()
+        );
+        return Err(io(io::Error::new(io::ErrorKind::FileTooLarge, fault)));
+    }
     match read(path)? {
         Some(old) if old == text.as_bytes() => return Ok(staged(None)),
         Some(_) if overwrite == Overwrite::Nothing => {

@@ -5,7 +5,7 @@ use crate::place::is_same;
 /// True if this is what a compiler is to say where a module lacks the function.
 pub(super) const fn is_missing(message: &str, function: &str) -> bool {
     const BEFORE: &str = "`{Self}` was generated without `";
-    const AFTER: &str = "`; name it in `functions` and generate again";
+    const AFTER: &str = "`; name it in `functions`, alone and not in a sum, and generate again";
     let (rest, name) = (message.as_bytes(), function.as_bytes());
     let Some((before, rest)) = rest.split_at_checked(BEFORE.len()) else {
         return false;

@@ -14,7 +14,7 @@ use crate::{Parametric, Real, System};
 ///
 /// The derivative by `tau` is the inverse of the mass matrix. Eq. (41), differentiated.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `d(forward_dynamics)/d(q, u, tau)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `d(forward_dynamics)/d(q, u, tau)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait ForwardDynamicsDerivatives<R: Real>: System<R> {
     /// Overwrites the last three arguments; meaning and units are those of [`ForwardDynamicsDerivatives`].
@@ -33,7 +33,7 @@ pub trait ForwardDynamicsDerivatives<R: Real>: System<R> {
 /// [`ForwardDynamics`](super::ForwardDynamics) and its [derivatives](ForwardDynamicsDerivatives), which share their work:
 /// `"forward_dynamics + d(forward_dynamics)/d(q, u, tau)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait ForwardDynamicsAndDerivatives<R: Real>: System<R> {
     /// Overwrites the last four arguments; meaning and units are those of [`ForwardDynamicsAndDerivatives`].
@@ -52,7 +52,7 @@ pub trait ForwardDynamicsAndDerivatives<R: Real>: System<R> {
 
 /// Derivatives of [`ForwardDynamics`](super::ForwardDynamics) by all values set at run time: `"d(forward_dynamics)/d(parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `d(forward_dynamics)/d(parameters)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `d(forward_dynamics)/d(parameters)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait ForwardDynamicsByParameters<R: Real>: Parametric<R> {
     /// Overwrites the last argument; meaning and units are those of [`ForwardDynamicsByParameters`].
@@ -69,7 +69,7 @@ pub trait ForwardDynamicsByParameters<R: Real>: Parametric<R> {
 ///
 /// The [derivatives](ForwardDynamicsDerivatives) times the direction, without forming them.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait ForwardDynamicsJvp<R: Real>: System<R> {
     /// Overwrites the last argument; meaning and units are those of [`ForwardDynamicsJvp`].
@@ -88,7 +88,7 @@ pub trait ForwardDynamicsJvp<R: Real>: System<R> {
 
 /// Like [`ForwardDynamicsJvp`], also along parameters: `"jvp(forward_dynamics; q, u, tau, parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau, parameters)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau, parameters)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait ForwardDynamicsParametersJvp<R: Real>: Parametric<R> {
     /// Overwrites the last argument; meaning and units are those of [`ForwardDynamicsParametersJvp`].
@@ -110,7 +110,7 @@ pub trait ForwardDynamicsParametersJvp<R: Real>: Parametric<R> {
 ///
 /// The multiplier times the [derivatives](ForwardDynamicsDerivatives), without forming them.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait ForwardDynamicsVjp<R: Real>: System<R> {
     /// Overwrites the last three arguments; meaning and units are those of [`ForwardDynamicsVjp`].
@@ -129,7 +129,7 @@ pub trait ForwardDynamicsVjp<R: Real>: System<R> {
 
 /// Like [`ForwardDynamicsVjp`], also by parameters: `"vjp(forward_dynamics; q, u, tau, parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau, parameters)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau, parameters)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait ForwardDynamicsParametersVjp<R: Real>: Parametric<R> {
     /// Overwrites the last four arguments; meaning and units are those of [`ForwardDynamicsParametersVjp`].
@@ -151,7 +151,7 @@ pub trait ForwardDynamicsParametersVjp<R: Real>: Parametric<R> {
 ///
 /// The derivative by `u_dot` is the mass matrix. `M u_dot + bias = tau`, differentiated.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `d(inverse_dynamics)/d(q, u, u_dot)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `d(inverse_dynamics)/d(q, u, u_dot)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait InverseDynamicsDerivatives<R: Real>: System<R> {
     /// Overwrites the last three arguments; meaning and units are those of [`InverseDynamicsDerivatives`].
@@ -170,7 +170,7 @@ pub trait InverseDynamicsDerivatives<R: Real>: System<R> {
 /// [`InverseDynamics`](super::InverseDynamics) and its [derivatives](InverseDynamicsDerivatives), which share their work:
 /// `"inverse_dynamics + d(inverse_dynamics)/d(q, u, u_dot)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `inverse_dynamics+d(inverse_dynamics)/d(q, u, u_dot)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `inverse_dynamics+d(inverse_dynamics)/d(q, u, u_dot)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait InverseDynamicsAndDerivatives<R: Real>: System<R> {
     /// Overwrites the last four arguments; meaning and units are those of [`InverseDynamicsAndDerivatives`].
@@ -189,7 +189,7 @@ pub trait InverseDynamicsAndDerivatives<R: Real>: System<R> {
 
 /// Derivatives of [`InverseDynamics`](super::InverseDynamics) by all values set at run time: `"d(inverse_dynamics)/d(parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `d(inverse_dynamics)/d(parameters)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `d(inverse_dynamics)/d(parameters)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait InverseDynamicsByParameters<R: Real>: Parametric<R> {
     /// Overwrites the last argument; meaning and units are those of [`InverseDynamicsByParameters`].
@@ -206,7 +206,7 @@ pub trait InverseDynamicsByParameters<R: Real>: Parametric<R> {
 ///
 /// The [derivatives](InverseDynamicsDerivatives) times the direction, without forming them.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait InverseDynamicsJvp<R: Real>: System<R> {
     /// Overwrites the last argument; meaning and units are those of [`InverseDynamicsJvp`].
@@ -225,7 +225,7 @@ pub trait InverseDynamicsJvp<R: Real>: System<R> {
 
 /// Like [`InverseDynamicsJvp`], also along parameters: `"jvp(inverse_dynamics; q, u, u_dot, parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot, parameters)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot, parameters)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait InverseDynamicsParametersJvp<R: Real>: Parametric<R> {
     /// Overwrites the last argument; meaning and units are those of [`InverseDynamicsParametersJvp`].
@@ -247,7 +247,7 @@ pub trait InverseDynamicsParametersJvp<R: Real>: Parametric<R> {
 ///
 /// The multiplier times the [derivatives](InverseDynamicsDerivatives), without forming them.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait InverseDynamicsVjp<R: Real>: System<R> {
     /// Overwrites the last three arguments; meaning and units are those of [`InverseDynamicsVjp`].
@@ -266,7 +266,7 @@ pub trait InverseDynamicsVjp<R: Real>: System<R> {
 
 /// Like [`InverseDynamicsVjp`], also by parameters: `"vjp(inverse_dynamics; q, u, u_dot, parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot, parameters)`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot, parameters)`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait InverseDynamicsParametersVjp<R: Real>: Parametric<R> {
     /// Overwrites the last four arguments; meaning and units are those of [`InverseDynamicsParametersVjp`].

@@ -21,7 +21,7 @@ pub struct Seen<F, From>(PhantomData<(F, From)>);
 /// origin to the frame's origin, inertial components, m. For [`Seen`] the other frame replaces the inertial frame.
 /// Often called the frame placement, or forward kinematics.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `pose(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `pose(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait Pose<R: Real, F>: System<R> {
     /// Writes the pose at `q`.
@@ -33,7 +33,7 @@ pub trait Pose<R: Real, F>: System<R> {
 /// `linear` is the velocity of the frame's origin, m/s, `angular` its angular velocity, rad/s, both in inertial components, or for
 /// [`Local`] along the frame's own axes. Often called the twist.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `velocity(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `velocity(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait Velocity<R: Real, F>: System<R> {
     /// Writes the velocity at `q`, `u`.
@@ -45,7 +45,7 @@ pub trait Velocity<R: Real, F>: System<R> {
 /// `linear` is the rate of the velocity of the frame's origin, m/s², without gravity, `angular` its angular acceleration,
 /// rad/s², both in inertial components, or for [`Local`] along the frame's own axes.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `acceleration(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `acceleration(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait Acceleration<R: Real, F>: System<R> {
     /// Writes the acceleration at `q`, `u`, `u_dot`.
@@ -64,7 +64,7 @@ pub trait Acceleration<R: Real, F>: System<R> {
 /// One row per component, one column per speed: m/s and rad/s per unit of that speed. For [`Local`] the components are along the frame's own axes, for
 /// [`Seen`] the velocity is relative to the other frame, along the axes of the other. Often called the geometric Jacobian.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `jacobian(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `jacobian(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait Jacobian<R: Real, F>: System<R> {
     /// The speeds that move the frame as it is seen, in order: all other columns are zero.
@@ -75,7 +75,7 @@ pub trait Jacobian<R: Real, F>: System<R> {
 
 /// The columns of the [`Jacobian`] of the frame `F` that belong to the speeds that move it.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `jacobian_packed(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `jacobian_packed(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait JacobianPacked<R: Real, F>: System<R> {
     /// `[R; n]`, an entry for each of [`Self::SPEEDS`].
@@ -95,7 +95,7 @@ pub trait JacobianPacked<R: Real, F>: System<R> {
 ///
 /// Like [`Jacobian`], for the point instead of the frame's origin.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `point_jacobian(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `point_jacobian(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait PointJacobian<R: Real, F>: System<R> {
     /// The speeds that move the frame as it is seen, in order: all other columns are zero.
@@ -114,7 +114,7 @@ pub trait PointJacobian<R: Real, F>: System<R> {
 ///
 /// Often called the drift, or `J_dot q_dot`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `jacobian_dot_u(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `jacobian_dot_u(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait JacobianDotU<R: Real, F>: System<R> {
     /// Writes the acceleration at `q`, `u`.
@@ -126,7 +126,7 @@ pub trait JacobianDotU<R: Real, F>: System<R> {
 /// The force, N, acts at the frame's origin; it and the moment, N m, are in inertial components, or for [`Local`] along the
 /// frame's own axes.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `generalized_force(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `generalized_force(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait GeneralizedForce<R: Real, F>: System<R> {
     /// Writes `tau` at `q`.
@@ -138,7 +138,7 @@ pub trait GeneralizedForce<R: Real, F>: System<R> {
 /// Symmetric, six rows per frame, the linear ones first; 1/kg, 1/(kg m), 1/(kg m²). For several contacts it is often called the
 /// Delassus matrix, for one frame the inverse operational-space inertia.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `operational_inverse_inertia(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `operational_inverse_inertia(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait OperationalInverseInertia<R: Real, F>: System<R> {
     /// `[R; 6]`, or `[R; 6 n]` for `n` frames.
@@ -154,7 +154,7 @@ pub trait OperationalInverseInertia<R: Real, F>: System<R> {
 /// `specific_force` is the acceleration of the frame's origin minus gravity, m/s², `angular_velocity` that of the frame, rad/s;
 /// both along the frame's own axes. At rest the specific force points up.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `imu(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `imu(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait Imu<R: Real, F>: System<R> {
     /// Writes the readings at `q`, `u`, `u_dot`.

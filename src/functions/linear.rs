@@ -9,7 +9,7 @@ use crate::{Array, Real, System};
 
 /// Position of the origin of the frame `F`: the `position` of its [`Pose`](super::Pose), m.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `position(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `position(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait Position<R: Real, F>: System<R> {
     /// Writes the position at `q`.
@@ -18,7 +18,7 @@ pub trait Position<R: Real, F>: System<R> {
 
 /// Velocity of the origin of the frame `F`: the `linear` of its [`Velocity`](super::Velocity), m/s.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `linear_velocity(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `linear_velocity(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait LinearVelocity<R: Real, F>: System<R> {
     /// Writes the velocity at `q`, `u`.
@@ -27,7 +27,7 @@ pub trait LinearVelocity<R: Real, F>: System<R> {
 
 /// Acceleration of the origin of the frame `F`, without gravity: the `linear` of its [`Acceleration`](super::Acceleration), m/s².
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `linear_acceleration(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `linear_acceleration(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait LinearAcceleration<R: Real, F>: System<R> {
     /// Writes the acceleration at `q`, `u`, `u_dot`.
@@ -38,7 +38,7 @@ pub trait LinearAcceleration<R: Real, F>: System<R> {
 ///
 /// Its product with `u` is the [`LinearVelocity`]. Often called the translational Jacobian.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `linear_jacobian(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `linear_jacobian(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait LinearJacobian<R: Real, F>: System<R> {
     /// The speeds that move the frame as it is seen, in order: all other columns are zero.
@@ -49,7 +49,7 @@ pub trait LinearJacobian<R: Real, F>: System<R> {
 
 /// The columns of the [`LinearJacobian`] of the frame `F` that belong to the speeds that move the frame.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `linear_jacobian_packed(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `linear_jacobian_packed(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait LinearJacobianPacked<R: Real, F>: System<R> {
     /// `[R; n]`, an entry for each of [`Self::SPEEDS`].
@@ -62,7 +62,7 @@ pub trait LinearJacobianPacked<R: Real, F>: System<R> {
 
 /// The rate of the [`LinearJacobian`] of the frame `F` times `u`: its [`LinearAcceleration`] for `u_dot = 0`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `linear_jacobian_dot_u(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `linear_jacobian_dot_u(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait LinearJacobianDotU<R: Real, F>: System<R> {
     /// Writes the acceleration at `q`, `u`.
@@ -71,7 +71,7 @@ pub trait LinearJacobianDotU<R: Real, F>: System<R> {
 
 /// Generalized forces of a force, N, at the origin of the frame `F`: the transposed [`LinearJacobian`] times the force, N m and N.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `linear_generalized_force(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `linear_generalized_force(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait LinearGeneralizedForce<R: Real, F>: System<R> {
     /// Writes `tau` at `q`.
@@ -83,7 +83,7 @@ pub trait LinearGeneralizedForce<R: Real, F>: System<R> {
 ///
 /// Symmetric, three rows per frame, 1/kg. For several point contacts it is often called the Delassus matrix.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `linear_operational_inverse_inertia(FRAME)` for `{F}`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `linear_operational_inverse_inertia(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait LinearOperationalInverseInertia<R: Real, F>: System<R> {
     /// `[R; 3]`, or `[R; 3 n]` for `n` frames.

@@ -7,14 +7,14 @@ function_traits! {
     ///
     /// Inverse dynamics without bias. Often called the mass-matrix-vector product; with `u` instead of `u_dot`, the
     /// generalized momentum.
-    "`{Self}` was generated without `mass_matrix_product`; name it in `functions` and generate again"
+    "`{Self}` was generated without `mass_matrix_product`; name it in `functions`, alone and not in a sum, and generate again"
     MassMatrixProduct: mass_matrix_product(q: &Self::Q, u_dot: &Self::U, tau: &mut Self::U);
 
     /// The accelerations from forces alone, `u_dot = M⁻¹ tau`, rad/s² and m/s²: forward dynamics without bias. Eq. (42).
     ///
     /// If `R` holds several numbers ([`Lanes`](crate::Lanes)), this solves several right-hand sides together: one per
     /// lane, with the same `q` or one of its own. Nothing is checked, as in [`ForwardDynamics`](super::ForwardDynamics).
-    "`{Self}` was generated without `mass_matrix_solve`; name it in `functions` and generate again"
+    "`{Self}` was generated without `mass_matrix_solve`; name it in `functions`, alone and not in a sum, and generate again"
     MassMatrixSolve: mass_matrix_solve(q: &Self::Q, tau: &Self::U, u_dot: &mut Self::U);
 }
 
@@ -23,7 +23,7 @@ function_traits! {
 ///
 /// Units are those of accelerations over those of forces. Nothing is checked, as in [`ForwardDynamics`](super::ForwardDynamics).
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `mass_matrix_inverse`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `mass_matrix_inverse`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait MassMatrixInverse<R: Real>: System<R> {
     /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrixInverse`].
@@ -34,7 +34,7 @@ pub trait MassMatrixInverse<R: Real>: System<R> {
 ///
 /// Entries of two speeds of separate trees on the inertial frame are left out. [`unpack`](super::unpack) makes the whole matrix.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `mass_matrix_inverse_packed`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `mass_matrix_inverse_packed`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait MassMatrixInversePacked<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
@@ -50,7 +50,7 @@ pub trait MassMatrixInversePacked<R: Real>: System<R> {
 /// D is on the diagonal, in the units of the mass matrix's, L beside it with an implied unit diagonal; an entry of L is a ratio of two speeds. There is no fill-in, except where mimic joints couple branches.
 /// Rows are eliminated from the leaves inward, in the order [`Self::ORDER`]. [`solve_factored`] solves with the factors.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `mass_matrix_factors`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `mass_matrix_factors`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait MassMatrixFactors<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
@@ -70,7 +70,7 @@ pub trait MassMatrixFactors<R: Real>: System<R> {
 /// It is the sum of `m Vᵀ V_dot` over all particles, with `V` their partial velocities. If all speeds are rates of coordinates, it is the matrix
 /// that the Christoffel symbols of the first kind give.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `coriolis_matrix`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `coriolis_matrix`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait CoriolisMatrix<R: Real>: System<R> {
     /// Overwrites the last argument; meaning, frame and unit are those of [`CoriolisMatrix`].
@@ -80,7 +80,7 @@ pub trait CoriolisMatrix<R: Real>: System<R> {
 /// Rate of the [`MassMatrix`](super::MassMatrix) for the motion `u`, `M_dot = C + Cᵀ`: symmetric, written whole,
 /// `m_dot[row][column]`; the unit is that of the mass matrix, per second.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `mass_matrix_dot`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `mass_matrix_dot`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait MassMatrixDot<R: Real>: System<R> {
     /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrixDot`].

@@ -7,7 +7,7 @@ use crate::{Array, Real, System};
 /// Ten per body, including all that is fixed to it: `m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`, `I_xz`, `I_yz`, `I_zz`, about the
 /// body's origin, body components, kg, kg m, kg m²; `I_xy` is the tensor's component. Often called the standard or dynamic parameters.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `inertial_parameters`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `inertial_parameters`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait InertialParameters<R: Real>: System<R> {
     /// `[[R; 10]; NB]`.
@@ -21,7 +21,7 @@ pub trait InertialParameters<R: Real>: System<R> {
 ///
 /// In kg, kg m and kg m², as the sums. The factors hold for the nominal parameters. Often called the minimal parameters.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `base_parameters`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `base_parameters`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait BaseParameters<R: Real>: System<R> {
     /// `[R; BASE_PARAMETERS_LEN]`.
@@ -37,7 +37,7 @@ pub trait BaseParameters<R: Real>: System<R> {
 /// `I_xz`, `I_yz`, `I_zz`, about the body's origin, body components, kg, kg m, kg m²; `I_xy` is the tensor's component. The model's
 /// own values are not read. An entry times its parameter is a generalized force, N m or N. Often called the joint torque regressor, or identification matrix.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `regressor`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `regressor`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait Regressor<R: Real>: System<R> {
     /// `[[R; 10]; NB]`: the row of one speed.
@@ -64,7 +64,7 @@ pub trait Regressor<R: Real>: System<R> {
 /// }
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `regressor_packed`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `regressor_packed`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait RegressorPacked<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
@@ -80,7 +80,7 @@ pub trait RegressorPacked<R: Real>: System<R> {
 /// Base parameters are the smallest set of combinations of inertial parameters that determines the forces, and all that measured
 /// forces can identify. An entry times its base parameter is a generalized force, N m or N. Also known as minimal or reduced regressor, minimal inertial parameters.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `base_regressor`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `base_regressor`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait BaseRegressor<R: Real>: System<R> {
     /// `[R; BASE_PARAMETERS_LEN]`: the row of one speed.
@@ -102,7 +102,7 @@ pub trait BaseRegressor<R: Real>: System<R> {
 /// moves. For a mimic joint, damper and rotor count times the square of its multiplier, and friction times its magnitude. The sign is
 /// branch-free, `u / (|u| + 1e-30)`: one half at a speed of `1e-30`, zero at zero, without a dead band.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `joint_regressor`; name it in `functions` and generate again"
+    message = "`{Self}` was generated without `joint_regressor`; name it in `functions`, alone and not in a sum, and generate again"
 )]
 pub trait JointRegressor<R: Real>: System<R> {
     /// `[[R; 3]; NU]`.

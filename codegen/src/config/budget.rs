@@ -66,10 +66,12 @@ fn generated(
     let fault = Diagnostic::error(fault).at(name.span, "not generated");
     let mut alike = requests.iter().filter(|one| one.sum() == request.sum());
     let called = alike.find_map(Parsed::given_name);
-    let help = called.map_or_else(
-        || "add it to `functions`, or take its limit away".to_owned(),
-        |called| format!("it is called `{called}` there"),
-    );
+    let mut reordered = requests.iter().filter(|one| one.has_the_parts_of(&request));
+    let help = match (called, reordered.next()) {
+        (Some(called), _) => format!("it is called `{called}` there"),
+        (None, Some(other)) => format!("did you mean `{}`?", other.sum()),
+        (None, None) => "add it to `functions`, or take its limit away".to_owned(),
+    };
     Err(vec![fault.help(help)])
 }
 

@@ -1,12 +1,11 @@
 //! Which of the formats a file has, and the reading of it.
 
+use std::path::Path;
+
 use crate::description::reading::{Include, Reading};
 use crate::description::size::too_large;
 use crate::description::{Description, mjcf, toml, urdf};
 use crate::diagnostic::{Diagnostic, Source};
-
-/// Endings of what is at times taken for a model, or is one of another format.
-const NO_MODELS: [&str; 7] = ["json", "pdf", "rs", "sdf", "step", "usd", "usda"];
 
 /// The formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,8 +16,8 @@ enum Format {
 }
 
 impl Format {
-    /// That of a model: URDF where its name ends in `.urdf`, MJCF or URDF, by its root element, where it ends in `.xml` or `.mjcf`, our own
-    /// format otherwise. What `xacro` was to make a URDF of is read as one, and refused there.
+    /// That of a model: URDF where its name ends in `.urdf`, MJCF or URDF, by its root element, where it ends in `.xml` or `.mjcf`, else
+    /// our own format. What `xacro` was to make a URDF of is read as one, and refused there.
     fn of(source: &Source) -> Self {
         match &*extension(source) {
             "urdf" | "xacro" => Self::Urdf,
@@ -54,7 +53,8 @@ impl Format {
 }
 
 fn extension(source: &Source) -> String {
-    let extension = source.name().rsplit_once('.').map_or("", |(_, end)| end);
+    let extension = Path::new(source.name()).extension();
+    let extension = extension.unwrap_or_default().to_string_lossy();
     extension.to_ascii_lowercase()
 }
 
@@ -80,16 +80,16 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
     let mut description = match (format, &*extension(source)) {
         (Format::Urdf, _) => urdf::parse(source, reading),
         (Format::Mjcf, _) => mjcf::parse(source, reading, include),
-        (Format::Toml, other) if NO_MODELS.contains(&other) => {
+        (Format::Toml, other) if other != "sdf" && source.text().trim_start().starts_with('<') => {
+            let fault = "a model in XML is a URDF, in a file that ends in `.urdf`, or an MJCF, in one that ends in `.xml` or `.mjcf`";
+            let fault = Diagnostic::error(fault).at((0..1).into(), "expected TOML");
+            return Description::none(source, vec![fault]);
+        }
+        (Format::Toml, other) if !["toml", ""].contains(&other) => {
             let fault = format!(
                 "`.{other}` is no model; a model ends in `.toml`, `.urdf`, `.mjcf`, or `.xml`"
             );
             return Description::none(source, vec![Diagnostic::error(fault)]);
-        }
-        (Format::Toml, _) if source.text().trim_start().starts_with('<') => {
-            let fault = "a model in XML is a URDF, in a file that ends in `.urdf`, or an MJCF, in one that ends in `.xml` or `.mjcf`";
-            let fault = Diagnostic::error(fault).at((0..1).into(), "expected TOML");
-            return Description::none(source, vec![fault]);
         }
         (Format::Toml, _) => toml::parse(source),
     };

@@ -205,8 +205,12 @@ fn wide_inertias(description: &Description, lengths: &[Length], total: f64) -> V
         }
         let xx = body.inertia[0]?;
         let name = shown(description, place);
+        let radius = match radius {
+            near if near < 1e6 => format!("{near:.0}"),
+            far => format!("{far:.0e}"),
+        };
         let message = format!(
-            "the inertia of {name} is that of {mass:?} kg at a distance of {radius:.0} m; is it in kg mm^2?"
+            "the inertia of {name} is that of {mass:?} kg at a distance of {radius} m; is it in kg mm^2?"
         );
         let warning = Diagnostic::warning(message).at(xx.span, "expected kg m^2");
         Some(warning.one_of("inertias look like kg mm^2, not kg m^2", name))

@@ -86,6 +86,18 @@ fn joined_function_has_a_budget_of_its_own() {
         "{}",
         ran.out
     );
+    project.replace(
+        "kane.toml",
+        "\"mass_matrix+bias\" =",
+        "\"bias+mass_matrix\" =",
+    );
+    let ran = project.kane(&["check"]);
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err.contains("did you mean `mass_matrix+bias`?"),
+        "{}",
+        ran.err
+    );
 }
 
 #[test]

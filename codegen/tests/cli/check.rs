@@ -479,14 +479,14 @@ fn functions_given_on_the_command_line_are_joined_as_in_the_file() {
     );
     assert!(ran.out.contains("pub fn mass_matrix_and_bias_at_sin_cos<"));
     let ran = text(
-        "bias+bais,bias+bias,bias+partial_velocity,bias+mass_matrix,bias+mass_matrix, bias,bias",
+        "bias+bais,bias+bias,bias+partial_velocity,bias+mass_matrix,bias +mass_matrix, bias,bias",
     );
     assert_eq!(ran.code, 2);
     for fault in [
         "`bais` is no function; did you mean `bias`?",
         "`bias+bias` names `bias` twice",
         "`bias+partial_velocity` joins `partial_velocity` to others",
-        "--functions names `bias+mass_matrix` twice",
+        "--functions names `bias +mass_matrix` twice",
         "--functions names `bias` twice",
     ] {
         assert!(ran.err.contains(fault), "{fault}\n{}", ran.err);

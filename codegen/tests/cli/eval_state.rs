@@ -36,6 +36,10 @@ fn places_may_be_named() {
             "loads": {"fore": {"force": [1, 2, 3], "moment": [0, 0, 1]}}}"#,
     );
     assert_eq!((listed.code, &listed.out), (0, &named.out));
+    // A joint without a name is called as its body.
+    let body = arm("potential_energy", r#"{"q": {"fore": 0.3}}"#);
+    let own = arm("potential_energy", r#"{"q": {"fore_theta2": 0.3}}"#);
+    assert_eq!((body.code, &body.out), (0, &own.out), "{}", body.err);
     let ran = arm(
         "bias",
         r#"{"q": {"fore_theta": 0.3}, "u": {"knee": [1], "upper_s2": 1, "upper_s2_dot": 2}}"#,

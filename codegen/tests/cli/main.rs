@@ -21,6 +21,8 @@ mod info;
 mod interface;
 #[cfg(unix)]
 mod kills;
+#[cfg(unix)]
+mod links;
 mod manifest;
 mod new;
 mod prescribed;

@@ -199,6 +199,7 @@ fn what_cannot_be_a_package_is_refused_and_nothing_written() {
         (&["new", "test"], "`test` cannot be the name"),
         (&["new", "tests"], "`tests` cannot be the name"),
         (&["new", "lib"], "`lib` cannot be the name"),
+        (&["new", "f64"], "`f64` cannot be the name"),
         (&["new", "Self"], "`Self` cannot be the name"),
         (&["new", "build"], "Rust or cargo use it for something else"),
         (&["new", "there"], "`there` is there already"),
@@ -218,6 +219,25 @@ fn what_cannot_be_a_package_is_refused_and_nothing_written() {
         assert!(ran.err.contains(told), "{told}\n{}", ran.err);
     }
     assert_eq!(project.files(), before);
+}
+
+#[test]
+fn package_within_a_workspace_is_one_of_its_own() {
+    let project = Project::empty();
+    let new = |name: &str| {
+        let ran = project.kane(&["new", name, "--kane", repository("").to_str().unwrap()]);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        (ran.err, project.read(&format!("{name}/Cargo.toml")))
+    };
+    let (told, manifest) = new("alone");
+    assert!(!told.contains("workspace") && !manifest.contains("[workspace]"));
+    project.write("Cargo.toml", "[workspace]\nmembers = []\n");
+    let (told, manifest) = new("within");
+    assert!(told.contains("a workspace of its own"), "{told}");
+    assert!(
+        manifest.starts_with("[workspace]\n\n[package]\n"),
+        "{manifest}"
+    );
 }
 
 #[test]

@@ -397,6 +397,10 @@ fn what_kane_toml_asks_for_and_the_model_lacks_is_told_there() {
         "{}",
         ran.err
     );
+    let models = ["diff", "other.toml", "models/arm.toml"];
+    let ran = project.kane(&[&models[..], &["--prescribed", "knee"]].concat());
+    let origin = "the options are those of the command line, and of `kane.toml`";
+    assert!(ran.err.contains(origin), "{}", ran.err);
 }
 
 #[test]

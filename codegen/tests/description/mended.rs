@@ -174,8 +174,8 @@ fn nested_include_is_looked_for_beside_the_main_file_and_then_beside_the_one_tha
 
 #[test]
 fn xml_under_another_ending_is_told_which_endings_there_are() {
-    let faults = |name: &str| {
-        let source = Source::new(name, "<sdf version=\"1.9\"/>");
+    let faults_of = |name: &str, text: &str| {
+        let source = Source::new(name, text);
         let none = |_: &str| Err(std::io::ErrorKind::NotFound.into());
         let description = description::read(&source, &Reading::default(), &none);
         description
@@ -184,9 +184,16 @@ fn xml_under_another_ending_is_told_which_endings_there_are() {
             .map(|fault| fault.message.clone())
             .collect::<String>()
     };
+    let faults = |name: &str| faults_of(name, "<sdf version=\"1.9\"/>");
     assert!(
         faults("robot.world").contains("a model in XML is a URDF, in a file that ends in `.urdf`")
     );
     assert!(faults("robot.sdf").contains("`.sdf` is no model"));
+    for name in ["robot.yaml", "./robots.v2/robot.stp"] {
+        let told = faults_of(name, "robot: arm");
+        assert!(told.contains("is no model; a model ends in"), "{told}");
+    }
+    let told = faults_of("./robots.v2/robot", "robot: arm");
+    assert!(!told.contains("is no model"), "{told}");
     assert!(faults("robot.xacro").contains("expected `robot`"));
 }

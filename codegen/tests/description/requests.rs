@@ -73,7 +73,7 @@ fn any_name_can_be_asked_for() {
 #[test]
 fn what_is_not_in_the_grammar_is_pointed_at() {
     assert_eq!(expected("pose(tool0"), ("expected `,` or `)`", 10..10));
-    let words = "expected `,` or `)`; with `;` there are `jvp(F; X)`, `vjp(F; X)`, the gradient, and `hessian(F; X)`";
+    let words = "expected `,` or `)`; with `;` there are `jvp(F; X)`, `vjp(F; X)`, the gradient, and `hessian(F; X)`; a name that contains `;` stands in quotes";
     assert_eq!(expected("gradient(bias; q)"), (words, 13..14));
     assert_eq!(expected("bias)"), ("expected `+` or the end", 4..5));
     assert_eq!(expected("pose(\"tool0)"), ("expected `\"`", 12..12));

@@ -92,10 +92,12 @@ pub(crate) fn run(
     };
     let runtime = Runtime::new(&root, &options)?;
     let all = arguments.modules.iter();
-    let (mut beside, mut modules): (Vec<&PathBuf>, Vec<&PathBuf>) =
-        all.partition(|path| is_beside(path));
+    let (beside, modules): (Vec<&PathBuf>, Vec<&PathBuf>) = all.partition(|path| is_beside(path));
     if modules.is_empty() {
-        std::mem::swap(&mut beside, &mut modules);
+        return Err(Failures::message(format!(
+            "`{}` only calls functions of a module; expected the module",
+            beside[0].display()
+        )));
     }
     if !beside.is_empty() {
         voice.say(format_args!(

@@ -26,5 +26,5 @@ pub(super) fn lines(
 /// The beginning of a word, as a message may have it.
 pub(super) fn shown(word: &str) -> String {
     let word: String = word.chars().take(20).collect();
-    word.escaped().to_string()
+    word.escaped()
 }

@@ -123,11 +123,11 @@ fn named_kind(reader: &mut Reader, item: &Item<'_>, text: &str, what: &str) -> G
             _ if CoordinateName::NAMES.contains(&text) => {
                 format!("a motion stands in a list: `[\"{text}\"]`")
             }
-            Some(near) => format!("did you mean `{near}`?"),
-            None if ["screw", "helical"].contains(&text) => {
-                "a screw is a `revolute` joint of a body without mass, and on it a `prismatic` one with `mimic`"
+            _ if ["screw", "helical"].contains(&text) => {
+                "a screw is a `revolute` joint of a body without mass, and on it a `prismatic` one with `mimic`, its `multiplier` the pitch in m/rad"
                     .to_owned()
             }
+            Some(near) => format!("did you mean `{near}`?"),
             None => format!(
                 "a joint is one of {}, or a list of those of {} that are free to move",
                 backquoted(&names),

@@ -145,6 +145,16 @@ impl Parsed {
         parts.join("+") + if self.at_sin_cos { AT_SIN_COS } else { "" }
     }
 
+    /// True where it joins the same parts, in whatever order.
+    pub fn has_the_parts_of(&self, other: &Self) -> bool {
+        let parts = |of: &Self| {
+            let mut parts: Vec<String> = of.parts.iter().map(ParsedPart::text).collect();
+            parts.sort_unstable();
+            parts
+        };
+        self.at_sin_cos == other.at_sin_cos && parts(self) == parts(other)
+    }
+
     /// What it says that the function is to be called.
     pub fn given_name(&self) -> Option<&str> {
         self.name.as_deref()

@@ -347,7 +347,7 @@ impl<'a> Reader<'a> {
         }
         let expected = match self.rest().chars().next() {
             Some(';') => {
-                "expected `,` or `)`; with `;` there are `jvp(F; X)`, `vjp(F; X)`, the gradient, and `hessian(F; X)`"
+                "expected `,` or `)`; with `;` there are `jvp(F; X)`, `vjp(F; X)`, the gradient, and `hessian(F; X)`; a name that contains `;` stands in quotes"
             }
             Some('+' | '(' | '"') => {
                 "expected `,` or `)`; a name that contains `+`, `(` or `\"` stands in quotes"

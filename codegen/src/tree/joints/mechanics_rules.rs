@@ -34,6 +34,7 @@ pub(super) fn mechanics(
         check.coordinates("limits", &written.limits);
     }
     check.dampers(&written.damping);
+    check.rests(&written.rest, &written.stiffness);
     check.not_negative("armature", &written.armature, |value| value.nominal());
     check.not_negative("friction", &written.friction, |value| *value);
     check.springs(&written.stiffness);
@@ -170,6 +171,17 @@ impl Check<'_> {
                 let warning = warning.one_of("joints whose damping adds energy", self.called);
                 self.findings.push(warning);
             }
+        }
+    }
+
+    /// Warns of rest positions without springs.
+    fn rests(&mut self, rest: &PerCoordinate<Scalar>, stiffness: &PerCoordinate<Scalar>) {
+        if let (Some(first), PerCoordinate::Absent) = (values(rest).first(), stiffness) {
+            let message = format!("`rest` of {} has no effect without `stiffness`", self.name);
+            let warning =
+                Diagnostic::warning(message).at(first.span, "expected `stiffness` beside it");
+            let warning = warning.one_of("joints with `rest` and without `stiffness`", self.called);
+            self.findings.push(warning);
         }
     }
 

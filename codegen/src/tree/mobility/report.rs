@@ -10,7 +10,7 @@ use crate::tree::body::Inertia;
 use crate::tree::changes::Changes;
 use crate::tree::joint::Orientation;
 use crate::tree::mobility::definite::indefinite;
-use crate::tree::mobility::idle::{Combination, idle_motions};
+use crate::tree::mobility::idle::{Combination, holdable, idle_motions};
 use crate::tree::names::shown;
 use crate::tree::value::Value;
 
@@ -18,6 +18,8 @@ use crate::tree::value::Value;
 const MOST_REPORTED: usize = 100;
 /// What takes such motions out.
 const REMOVE: &str = "`--remove-massless`, or `remove_massless = true` in `kane.toml`, fixes at zero all that move none";
+/// What moves none only because of what is set at run time.
+const NOMINAL: &str = "what is set at run time needs a nominal value other than zero";
 /// The most coordinates of one message that are named.
 const MOST_NAMED: usize = 8;
 
@@ -37,12 +39,17 @@ pub(crate) fn check(
     let is_all = motions.len() < MOST_REPORTED;
     let (alone, dependent): (Vec<Combination>, Vec<Combination>) =
         motions.into_iter().partition(|motion| motion.len() == 1);
+    let whatever_is_set = holdable(tree, MOST_REPORTED);
     let told = |fault: Diagnostic, motion: &Combination| {
-        if changes.remove_massless || !can_be_held(tree, motion) {
+        let more = if !motion.iter().any(|one| whatever_is_set.contains(one)) {
+            NOMINAL
+        } else if changes.remove_massless || !can_be_held(tree, motion) {
             return fault;
-        }
+        } else {
+            REMOVE
+        };
         let help = fault.help.clone().unwrap_or_default();
-        fault.help(format!("{help}; {REMOVE}"))
+        fault.help(format!("{help}; {more}"))
     };
     for group in bound_up(dependent) {
         let fault = together(tree, description, &group);

@@ -177,12 +177,12 @@ fn pair(
     let known = match (old.is_module(), new.is_module()) {
         (true, true) => [&old, &new].map(Side::of_module),
         (false, false) => {
-            let (options, config) = options(arguments, asked, [&new, &old])?;
+            let (options, origin) = options(arguments, asked, [&new, &old])?;
             // The path in the banner, which is no difference.
             let shown = new.file_name();
             let [of_old, of_new] = readings([&old, &new], &options.reading);
             [(&old, of_old), (&new, of_new)].map(|(side, reading)| {
-                let explained = |error| explained(side, config.as_deref(), error);
+                let explained = |error| explained(side, &origin, error);
                 let options = Options {
                     reading,
                     ..options.clone()
@@ -226,16 +226,13 @@ fn config_here() -> Result<PathBuf, Failures> {
     Ok(paths::shown(&config)?)
 }
 
-/// Why nothing can be generated from one of two models, by options that `kane.toml` may have.
-fn explained(side: &Side, config: Option<&Path>, error: Error) -> Failures {
+/// Why nothing can be generated from one of two models, by options of this origin.
+fn explained(side: &Side, origin: &str, error: Error) -> Failures {
     let reasons: Vec<String> = match &error {
         Error::Requests(faults) => faults.iter().map(ToString::to_string).collect(),
         Error::Prescribed(_) => vec![error.to_string()],
         _ => return error.into(),
     };
-    let origin = config.map_or_else(String::new, |config| {
-        format!("; the options are those of `{}`", config.display())
-    });
     let mut failures = Failures::default();
     for reason in reasons {
         let name = side.name();
@@ -266,7 +263,7 @@ fn options(
     arguments: &Arguments,
     asked: &Asked<'_>,
     sides: [&Side; 2],
-) -> Result<(Options, Option<PathBuf>), Failures> {
+) -> Result<(Options, String), Failures> {
     let mut options = Options::default();
     let mut found = None;
     for file in sides.into_iter().filter_map(Side::own_file) {
@@ -279,6 +276,15 @@ fn options(
             break;
         }
     }
+    let listed = options.clone();
     asked.set(&mut options);
-    Ok((options, found))
+    let origin = found.map(|config| {
+        let config = config.display();
+        if options == listed {
+            format!("; the options are those of `{config}`")
+        } else {
+            format!("; the options are those of the command line, and of `{config}`")
+        }
+    });
+    Ok((options, origin.unwrap_or_default()))
 }

@@ -71,16 +71,14 @@ fn alone(names: Vec<String>) -> Vec<Vec<String>> {
     names.into_iter().map(|name| vec![name]).collect()
 }
 
-/// The names, and those of joints that have a single place.
+/// The names, and those of joints that have a single place: the joint's own, or its body's.
 fn with_joints(
     tree: &Tree,
     mut names: Vec<Vec<String>>,
     places: fn(&Joint) -> Vec<usize>,
 ) -> Vec<Vec<String>> {
     for body in &tree.bodies {
-        if let [place] = places(&body.joint)[..]
-            && body.joint.is_named
-        {
+        if let [place] = places(&body.joint)[..] {
             names[place].push(body.joint.name.clone());
         }
     }

@@ -26,20 +26,41 @@ use crate::cli::{
 };
 
 /// Names that a package, its program or a module of it cannot have, though they are names in Rust.
-const TAKEN: [&str; 13] = [
+const TAKEN: [&str; 34] = [
+    "Option",
     "Prepared",
+    "Result",
+    "String",
+    "Vec",
     "alloc",
+    "bool",
     "build",
+    "char",
     "core",
     "deps",
     "examples",
+    "f32",
+    "f64",
+    "i128",
+    "i16",
+    "i32",
+    "i64",
+    "i8",
     "incremental",
+    "isize",
     "kane",
     "lib",
     "main",
     "std",
+    "str",
     "test",
     "tests",
+    "u128",
+    "u16",
+    "u32",
+    "u64",
+    "u8",
+    "usize",
 ];
 
 /// Create a package with a model, its generated module, a control loop and a test
@@ -111,7 +132,8 @@ pub(crate) fn run(
 
     let module = folder.join(format!("src/{name}.rs"));
     let abi = arguments.abi;
-    let manifest = package::manifest(&name, &dependency, abi);
+    let around = workspace_around(folder)?;
+    let manifest = package::manifest(&name, &dependency, abi, around.is_some());
     let config = config::config(&name, &shown, &model.tree, &options, abi);
     let (program, next) = package::program(&name, &model.tree, abi);
     let workflow = package::workflow(&dependency);
@@ -129,11 +151,31 @@ pub(crate) fn run(
     files.extend(workflow.as_deref().map(|text| (place, text)));
     output::write(&files, Overwrite::Nothing)?;
     if matches!(dependency, Dependency::Registry) {
-        voice.say("note: the package needs the crate `kane` of crates.io; `--kane FOLDER` takes that of a checkout");
+        voice.say("note: the package needs the crate `kane` of crates.io; where it is not there, `--kane FOLDER` takes that of a checkout");
+    }
+    if let Some(around) = around {
+        voice.say(format_args!(
+            "note: the package is a workspace of its own, for it is no member of that of `{}`",
+            around.display()
+        ));
     }
     let folder = folder.display();
     voice.say(format_args!("wrote {folder}/; next: cd {folder} && {next}"));
     Ok(Outcome::Done)
+}
+
+/// The manifest of the workspace in which cargo would look for the package.
+fn workspace_around(package: &Path) -> Result<Option<PathBuf>, Failures> {
+    let absolute = paths::of_new(package)?;
+    let mut manifests = absolute
+        .ancestors()
+        .skip(1)
+        .map(|folder| folder.join("Cargo.toml"));
+    Ok(manifests.find(|manifest| {
+        let text = fs::read_to_string(manifest).unwrap_or_default();
+        text.lines()
+            .any(|line| line.trim_start().starts_with("[workspace"))
+    }))
 }
 
 /// The package's name, which is the module's too.

@@ -20,7 +20,14 @@ pub(super) enum Dependency {
     Folder(String),
 }
 
-pub(super) fn manifest(name: &str, dependency: &Dependency, abi: Option<Abi>) -> String {
+/// The text of `Cargo.toml`; with a workspace of its own where it stands in another.
+pub(super) fn manifest(
+    name: &str,
+    dependency: &Dependency,
+    abi: Option<Abi>,
+    is_alone: bool,
+) -> String {
+    let workspace = if is_alone { "[workspace]\n\n" } else { "" };
     let from = match dependency {
         Dependency::Registry => format!("version = \"{VERSION}\""),
         Dependency::Folder(path) => format!("path = {path}"),
@@ -30,7 +37,7 @@ pub(super) fn manifest(name: &str, dependency: &Dependency, abi: Option<Abi>) ->
         Some(Abi::C) => "[lib]\ncrate-type = [\"staticlib\"]\n\n",
     };
     format!(
-        "[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\n\n{library}\
+        "{workspace}[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\n\n{library}\
          [dependencies]\n# Without its features it needs neither the standard library nor another crate.\n\
          kane = {{ {from}, default-features = false }}\n"
     )

@@ -124,7 +124,9 @@ fn accept(reader: &mut Reader, root: Element<'_>) -> bool {
         let found = shown(root.name());
         let fault = format!("the root element is `{found}`; expected `mujoco`");
         let fault = Diagnostic::error(fault).at(root.span(), "expected `mujoco`");
-        reader.faults.push(fault);
+        let help =
+            "a URDF has the root element `robot`; convert other formats to one of the two first";
+        reader.faults.push(fault.help(help));
     }
     is_model
 }
