@@ -132,7 +132,9 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     ///
     /// A step that would increase the error is not taken, but tried again with more damping. So `q`, once it is within its limits,
     /// never becomes worse than at the start. From afar, this may stop where no small step helps; [`Self::search`] then starts
-    /// elsewhere. A quaternion of four zeros is no orientation: it stays, and the result means nothing. Each step costs a pose and a Jacobian of each goal, and on the order of `NU³ / 6` multiplications.
+    /// elsewhere. Each step costs a pose and a Jacobian of each goal, and on the order of `NU³ / 6` multiplications.
+    ///
+    /// A quaternion of four zeros is no orientation: it stays, and the result means nothing.
     pub fn solve<S, G, const NU: usize>(
         &self,
         system: &S,

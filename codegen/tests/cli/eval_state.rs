@@ -227,3 +227,13 @@ fn a_key_is_shown_whatever_quotes_it_holds() {
       = help: the coordinates are upper_theta1, upper_s2, fore_theta2
     "#);
 }
+
+#[test]
+fn masses_below_zero_are_warned_of() {
+    let ran = arm(
+        "mass_matrix",
+        r#"{"q": {}, "parameters": {"upper_mass": -2}}"#,
+    );
+    let told = "warning: `upper_mass` is -2.0 kg; expected zero or more\n";
+    assert_eq!((ran.code, ran.err.as_str()), (0, told));
+}

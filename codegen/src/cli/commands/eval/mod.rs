@@ -1,10 +1,10 @@
 //! `kane eval`.
 
 mod by_name;
-mod orientations;
 mod place;
 mod state;
 mod unique;
+mod unphysical;
 
 use std::{
     io::{self, Write},
@@ -132,7 +132,7 @@ pub(crate) fn run(
         return Err(Failures::message(needs));
     };
     let inputs = state::read(&state, tree, &function)?;
-    orientations::check(tree, &function, &inputs, voice);
+    unphysical::check(tree, &function, &inputs, voice);
     let mut options = job.options;
     options.formulation = arguments.formulation.unwrap_or(options.formulation);
     if !arguments.without.is_empty() {

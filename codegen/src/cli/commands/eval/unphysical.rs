@@ -1,4 +1,4 @@
-//! What a state says of orientations: nothing makes rotations of its numbers, here as in generated code.
+//! What a state says that no system has: nothing makes rotations or masses of its numbers, here as in generated code.
 
 use kane_codegen::{
     diagnostic::Escaped,
@@ -13,12 +13,29 @@ use crate::cli::Voice;
 /// How far the length of a quaternion or of an axis may be from one, and a right angle's cosine from zero: seven digits of their numbers.
 const TOLERANCE: f64 = 1e-6;
 
-/// Warns of quaternions and of frames' rotations that are none.
+/// Warns of quaternions and of frames' rotations that are none, and of masses below zero.
 pub(super) fn check(tree: &Tree, function: &Request, inputs: &State, voice: Voice) {
     if function.sum() != "normalize" {
         quaternions(tree, inputs, voice);
     }
     rotations(tree, function, inputs, voice);
+    masses(tree, inputs, voice);
+}
+
+fn masses(tree: &Tree, inputs: &State, voice: Voice) {
+    let parts = tree.bodies.iter().flat_map(|body| &body.parts);
+    for part in parts {
+        let Value::Runtime(id) = part.mass else {
+            continue;
+        };
+        let mass = inputs.get(&Input::Parameter(id));
+        if let Some(mass) = mass.filter(|mass| **mass < 0.0) {
+            let name = tree.parameters[id.index()].name.escaped();
+            voice.say(format_args!(
+                "warning: `{name}` is {mass:?} kg; expected zero or more"
+            ));
+        }
+    }
 }
 
 fn quaternions(tree: &Tree, inputs: &State, voice: Voice) {
