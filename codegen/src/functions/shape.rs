@@ -86,6 +86,10 @@ pub enum Length {
 }
 
 impl Dimension {
+    /// Those whose length the frames decide that a function is of.
+    pub(super) const OF_SUBJECTS: [Self; 3] =
+        [Self::FrameSpeeds, Self::FrameComponents, Self::FramePoints];
+
     /// How many there are of what it counts; `None` where the function decides.
     pub fn length(self, tree: &Tree) -> Option<usize> {
         Some(match self {

@@ -1,5 +1,6 @@
 //! What a function of frames is of: the frames, and how their motion is seen.
 
+use super::shape::Dimension;
 use crate::{
     id::{BodyId, SpeedId},
     tree::{NamedFrame, Tree},
@@ -64,6 +65,16 @@ impl Subject {
         };
         let n_speeds = tree.map_or(0, |tree| own.speeds(tree).len());
         Self { n_speeds, ..own }
+    }
+
+    /// The length of a dimension that it decides.
+    pub(super) fn length(&self, dimension: Dimension) -> Option<usize> {
+        match dimension {
+            Dimension::FrameSpeeds => Some(self.n_speeds),
+            Dimension::FrameComponents => Some(6 * self.frames.len()),
+            Dimension::FramePoints => Some(3 * self.frames.len()),
+            _ => None,
+        }
     }
 
     /// The frame, or the first of several.

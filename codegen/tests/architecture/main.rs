@@ -35,7 +35,16 @@ const CRATES: [(&str, &str); 3] = [
 ];
 
 /// Where people write Rust.
-const FOLDERS: [&str; 5] = ["codegen/src", "codegen/tests", "src", "tests", "examples"];
+const FOLDERS: [&str; 8] = [
+    "benches",
+    "codegen/src",
+    "codegen/tests",
+    "examples",
+    "firmware",
+    "fuzz",
+    "src",
+    "tests",
+];
 
 fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

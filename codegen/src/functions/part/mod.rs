@@ -124,13 +124,10 @@ impl Part {
 
     /// The length of the dimensions of its values that its subject decides, zero where none is.
     fn subject_length(&self) -> usize {
-        let writes = |dimension| self.function.writes(dimension);
-        match &self.subject {
-            Some(subject) if writes(Dimension::FrameSpeeds) => subject.n_speeds,
-            Some(subject) if writes(Dimension::FrameComponents) => 6 * subject.frames.len(),
-            Some(subject) if writes(Dimension::FramePoints) => 3 * subject.frames.len(),
-            _ => 0,
-        }
+        let mut written = Dimension::OF_SUBJECTS.into_iter();
+        let written = written.find(|dimension| self.function.writes(*dimension));
+        let length = |subject: &Subject| subject.length(written?);
+        self.subject.as_ref().and_then(length).unwrap_or(0)
     }
 
     /// True where entries are left out that the tree makes zero.

@@ -150,26 +150,24 @@ impl Part {
 
     /// The length of a dimension that is its own; `n_columns` is the number of a compact output's columns.
     pub fn own_length(&self, dimension: Dimension, tree: &Tree, n_columns: usize) -> usize {
-        match (dimension, &self.subject) {
-            (Dimension::Entries, _) => {
-                let sparsity = self.sparsity(tree);
-                sparsity.map_or(0, |sparsity| sparsity.places.len())
-            }
-            (Dimension::FrameSpeeds, Some(subject)) => subject.speeds(tree).len(),
-            (Dimension::FrameComponents, Some(subject)) => 6 * subject.frames.len(),
-            (Dimension::FramePoints, Some(subject)) => 3 * subject.frames.len(),
-            _ => n_columns,
+        if dimension == Dimension::Entries {
+            let sparsity = self.sparsity(tree);
+            return sparsity.map_or(0, |sparsity| sparsity.places.len());
         }
+        let subject = self.subject.as_ref();
+        let of_subject = subject.and_then(|subject| subject.length(dimension));
+        of_subject.unwrap_or(n_columns)
     }
 
     /// The same, as generated code names it.
     pub(in crate::functions) fn own_declared(&self, dimension: Dimension) -> Length {
-        match (dimension, &self.subject) {
+        let subject = self.subject.as_ref();
+        let of_subject = subject.and_then(|subject| subject.length(dimension));
+        match (dimension, of_subject) {
             (Dimension::Entries, _) => Length::Constant(self.len_constant()),
             (Dimension::FrameSpeeds, Some(_)) => Length::Constant(self.speeds_len_constant()),
-            (Dimension::FrameComponents, Some(subject)) => Length::Number(6 * subject.frames.len()),
-            (Dimension::FramePoints, Some(subject)) => Length::Number(3 * subject.frames.len()),
-            _ => Length::Constant(self.function.compact_columns_constant()),
+            (_, Some(length)) => Length::Number(length),
+            (_, None) => Length::Constant(self.function.compact_columns_constant()),
         }
     }
 }
