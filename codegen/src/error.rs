@@ -5,6 +5,7 @@ use std::{error, fmt, path::PathBuf};
 use crate::{
     diagnostic::{Diagnostics, Escaped},
     functions::RequestError,
+    limits::OUTPUT_BYTES,
     options::{SNAP_TOLERANCES, companion::EXPECTED_NAME},
     tree::PrescribedFault,
 };
@@ -58,6 +59,20 @@ pub enum Error {
     NotGenerated {
         /// The file.
         path: PathBuf,
+    },
+    /// A link that would be replaced.
+    #[error("`{}` is a link; name the file to which it leads, or replace the link with --force", path.display())]
+    Link {
+        /// The link.
+        path: PathBuf,
+    },
+    /// A file that would be too large to be read again.
+    #[error("`{}` would have {bytes} bytes; expected at most {OUTPUT_BYTES}: ask for fewer functions", path.display())]
+    OutputTooLarge {
+        /// The file.
+        path: PathBuf,
+        /// Its size.
+        bytes: usize,
     },
     /// A file that would be overwritten and may hold what was written by hand.
     #[error("`{}` is there already; move it away, or overwrite it with --force", path.display())]

@@ -1,7 +1,6 @@
 //! Writing a file: whole or not at all, and never over a file that is not ours.
 
 use std::{
-    borrow::Cow,
     collections::BTreeSet,
     fs::{self, File},
     io::{self, Write as _},
@@ -57,7 +56,7 @@ impl Staged {
 /// that holds its text already is left alone.
 ///
 /// # Errors
-/// [`Error::NotGenerated`] or [`Error::Exists`] where a file may not be overwritten; [`Error::Io`].
+/// [`Error::NotGenerated`], [`Error::Exists`] or [`Error::Link`] where a file may not be overwritten; [`Error::OutputTooLarge`]; [`Error::Io`].
 pub fn write(files: &[(PathBuf, &str)], overwrite: Overwrite) -> Result<(), Error> {
     let staged = files.iter();
     let staged = staged.map(|(path, text)| stage(path, text, overwrite));
@@ -70,12 +69,8 @@ pub fn write(files: &[(PathBuf, &str)], overwrite: Overwrite) -> Result<(), Erro
 /// Writes `text` beside the file at `path`, which stays as it is; folders that are missing are made.
 ///
 /// # Errors
-/// [`Error::NotGenerated`] or [`Error::Exists`] where the file may not be overwritten; [`Error::Io`].
+/// As of [`write`].
 pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Error> {
-    // A link stays one, and what it leads to is replaced.
-    let led = path.is_symlink().then(|| fs::canonicalize(path).ok());
-    let path = led.flatten().map_or(Cow::Borrowed(path), Cow::Owned);
-    let path = &*path;
     let io = |source| Error::Io {
         path: path.to_owned(),
         source,
@@ -85,11 +80,16 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
         file,
     };
     if text.len() > OUTPUT_BYTES {
-        let fault = format!(
-            "it would have {} bytes; expected at most {OUTPUT_BYTES}, which can be compared and replaced",
-            text.len()
-        );
-        return Err(io(io::Error::new(io::ErrorKind::FileTooLarge, fault)));
+        return Err(Error::OutputTooLarge {
+            path: path.to_owned(),
+            bytes: text.len(),
+        });
+    }
+    // A rename would replace the link, and what it leads to would stay as it was.
+    if overwrite != Overwrite::Anything && path.is_symlink() {
+        return Err(Error::Link {
+            path: path.to_owned(),
+        });
     }
     match read(path)? {
         Some(old) if old == text.as_bytes() => return Ok(staged(None)),

@@ -14,9 +14,10 @@ const RUST_KEYWORDS: [&str; 52] = [
 pub(crate) const C_STRUCTURES: [&str; 3] = ["parameters", "prepared", "sines_cosines"];
 
 /// What C calls of the runtime crate, behind a module's name.
-pub(crate) const C_RUNTIME: [&str; 6] = [
+pub(crate) const C_RUNTIME: [&str; 7] = [
     "q_plus",
     "q_minus",
+    "scale_quaternions",
     "euler_step",
     "rk4_step",
     "euler_linearized",

@@ -69,7 +69,12 @@ fn generated(
     let mut reordered = requests.iter().filter(|one| one.has_the_parts_of(&request));
     let help = match (called, reordered.next()) {
         (Some(called), _) => format!("it is called `{called}` there"),
-        (None, Some(other)) => format!("did you mean `{}`?", other.sum()),
+        (None, Some(other)) => {
+            let called = other
+                .given_name()
+                .map_or_else(|| other.sum(), str::to_owned);
+            format!("did you mean `{called}`?")
+        }
         (None, None) => "add it to `functions`, or take its limit away".to_owned(),
     };
     Err(vec![fault.help(help)])

@@ -40,7 +40,10 @@ pub(super) fn read(reader: &mut Reader, system: &Table<'_, '_>) -> Option<(Funct
         let faults = faults.unwrap_or_default();
         if !faults.is_empty() {
             reader.faults.extend(faults);
-        } else if let Some(first) = names.iter().find(|first| first.value == name.value) {
+        } else if let Some(first) = names
+            .iter()
+            .find(|first| Parsed::are_same(&first.value, &name.value))
+        {
             let fault = Diagnostic::error(format!("{what} names `{}` twice", name.value));
             reader.faults.push(
                 fault

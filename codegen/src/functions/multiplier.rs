@@ -73,6 +73,7 @@ impl Multiplier {
         let lengths = self.declared().into_iter().map(|length| match length {
             Length::Number(number) => format!("_{number}"),
             Length::Constant(name) => format!("_{name}"),
+            Length::Twice(name) => format!("_2_{name}"),
         });
         let lengths: String = lengths.collect();
         format!("{}S{lengths}", self.name.to_uppercase())

@@ -83,6 +83,18 @@ pub enum Length {
     Number(usize),
     /// A constant of the module: `NQ`.
     Constant(String),
+    /// Twice such a constant: that of a state.
+    Twice(String),
+}
+
+impl Length {
+    /// The constant that it names.
+    pub fn constant(&self) -> Option<&str> {
+        match self {
+            Self::Number(_) => None,
+            Self::Constant(name) | Self::Twice(name) => Some(name),
+        }
+    }
 }
 
 impl Dimension {

@@ -200,6 +200,7 @@ fn what_cannot_be_a_package_is_refused_and_nothing_written() {
         (&["new", "tests"], "`tests` cannot be the name"),
         (&["new", "lib"], "`lib` cannot be the name"),
         (&["new", "f64"], "`f64` cannot be the name"),
+        (&["new", "Arm"], "expected a lower-case letter first"),
         (&["new", "Self"], "`Self` cannot be the name"),
         (&["new", "build"], "Rust or cargo use it for something else"),
         (&["new", "there"], "`there` is there already"),
@@ -222,22 +223,25 @@ fn what_cannot_be_a_package_is_refused_and_nothing_written() {
 }
 
 #[test]
-fn package_within_a_workspace_is_one_of_its_own() {
+fn workspace_around_a_new_package_is_told() {
     let project = Project::empty();
-    let new = |name: &str| {
-        let ran = project.kane(&["new", name, "--kane", repository("").to_str().unwrap()]);
+    let kane = repository("");
+    let is_told = |name: &str| {
+        let ran = project.kane(&["new", name, "--kane", kane.to_str().unwrap()]);
         assert_eq!(ran.code, 0, "{}", ran.err);
-        (ran.err, project.read(&format!("{name}/Cargo.toml")))
+        ran.err
+            .contains("Cargo.toml` is a workspace: the package has to be among its `members`")
     };
-    let (told, manifest) = new("alone");
-    assert!(!told.contains("workspace") && !manifest.contains("[workspace]"));
-    project.write("Cargo.toml", "[workspace]\nmembers = []\n");
-    let (told, manifest) = new("within");
-    assert!(told.contains("a workspace of its own"), "{told}");
-    assert!(
-        manifest.starts_with("[workspace]\n\n[package]\n"),
-        "{manifest}"
-    );
+    assert!(!is_told("alone"));
+    for (name, manifest, expected) in [
+        ("table", "\u{feff}[ workspace ]\r\nmembers = []\r\n", true),
+        ("dotted", "workspace.members = []\n", true),
+        ("comment", "# [workspace]\n[package]\nname = \"a\"\n", false),
+        ("text", "a = \"\"\"\n[workspace]\n\"\"\"\n", false),
+    ] {
+        project.write("Cargo.toml", manifest);
+        assert_eq!(is_told(name), expected, "{name}");
+    }
 }
 
 #[test]

@@ -53,12 +53,11 @@ fn files_beside_a_module_are_left_out() {
     assert_eq!(ran.code, 0, "{}", ran.err);
     assert_eq!(
         ran.err,
-        "note: 2 of the files only call functions of modules; they are not checked\n"
+        "note: 2 of the files stand beside modules; they are not checked\n"
     );
     assert_eq!(ran.out, verify(&project, &[MODULE]).out);
     let ran = verify(&project, &files[2..]);
-    let told =
-        "error: `generated/arm_tests.rs` only calls functions of a module; expected the module\n";
+    let told = "error: `generated/arm_tests.rs` stands beside a module; expected the module\n";
     assert_eq!((ran.code, ran.err.as_str()), (2, told));
     // A module may be called so.
     let asked = [

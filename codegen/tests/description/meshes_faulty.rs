@@ -222,6 +222,7 @@ fn text_with_a_byte_order_mark_or_with_other_ends_of_lines_is_the_same_mesh() {
         assert_eq!(mass(&format!("\u{feff}{text}")), expected);
         assert_eq!(mass(&text.replace('\n', "\r\n")), expected);
         assert_eq!(mass(&text.replace('\n', "\r")), expected);
+        assert_eq!(mass(&text.replacen('\n', "\r", 7)), expected);
     }
 }
 

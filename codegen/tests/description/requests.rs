@@ -228,8 +228,7 @@ fn what_cannot_be_a_name_is_told_with_why_beside_other_faults() {
         ("bias", "it is a function of the catalogue"),
         ("prepare", "a module has something of that name"),
         ("parameters", "a module has something of that name"),
-        ("rk4_step", "a module has something of that name"),
-        ("input", "a module has something of that name"),
+        ("rk4_step", "C has a function of that name"),
         (
             "a_stage_b",
             "`_stage_` marks what a long function calls, such as `bias_stage_1`",

@@ -331,7 +331,8 @@ void cart_pole_bias_at_sin_cos_f32(
     const float u[CART_POLE_NU],
     float bias[CART_POLE_NU]);
 
-/// Coordinates after unit time at the constant speeds `direction`, beginning at `q`. Quaternions keep their length.
+/// Coordinates after unit time at the constant speeds `direction`, beginning at `q`. Quaternions keep their length. Angles with angular velocities as
+/// speeds are singular at `cos(theta_2) = 0`, and none of them changes by more than half a revolution.
 ///
 /// - `p`: prepared parameters
 /// - `q`: coordinates, rad and m; 1 in quaternions
@@ -349,25 +350,25 @@ void cart_pole_q_plus_f32(
     const float direction[CART_POLE_NU],
     float q_after[CART_POLE_NQ]);
 
-/// The direction by which `q_plus` leads `from` one `q` `to` another. Orientations turn by half a revolution at most.
+/// The direction by which `q_plus` leads from `q_from` to `q_to`. Orientations turn by half a revolution at most, whatever the lengths and signs of quaternions.
 ///
 /// - `p`: prepared parameters
-/// - `from`: coordinates, rad and m; 1 in quaternions
-/// - `to`: coordinates, rad and m; 1 in quaternions
+/// - `q_from`: coordinates, rad and m; 1 in quaternions
+/// - `q_to`: coordinates, rad and m; 1 in quaternions
 /// - `direction`: is written, whole
 void cart_pole_q_minus_f64(
     const cart_pole_prepared_f64 *p,
-    const double from[CART_POLE_NQ],
-    const double to[CART_POLE_NQ],
+    const double q_from[CART_POLE_NQ],
+    const double q_to[CART_POLE_NQ],
     double direction[CART_POLE_NU]);
 /// As `cart_pole_q_minus_f64`.
 void cart_pole_q_minus_f32(
     const cart_pole_prepared_f32 *p,
-    const float from[CART_POLE_NQ],
-    const float to[CART_POLE_NQ],
+    const float q_from[CART_POLE_NQ],
+    const float q_to[CART_POLE_NQ],
     float direction[CART_POLE_NU]);
 
-/// The state after a semi-implicit Euler step of the time `dt`, in which `tau` stays constant. Quaternions keep their length.
+/// The state after a semi-implicit Euler step of the time `dt`, in which `tau` stays constant: `kane::discrete::euler` of the runtime. Quaternions of about length one have it afterwards.
 ///
 /// - `p`: prepared parameters
 /// - `q`: coordinates, rad and m; 1 in quaternions
@@ -394,7 +395,7 @@ void cart_pole_euler_step_f32(
     float q_after[CART_POLE_NQ],
     float u_after[CART_POLE_NU]);
 
-/// The state after a Runge-Kutta step of fourth order of the time `dt`, in which `tau` stays constant. Quaternions keep their length.
+/// The state after a Runge-Kutta step of fourth order of the time `dt`, in which `tau` stays constant: `kane::discrete::rk4` of the runtime. Quaternions of about length one have it afterwards.
 ///
 /// - `p`: prepared parameters
 /// - `q`: coordinates, rad and m; 1 in quaternions

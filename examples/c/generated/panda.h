@@ -282,7 +282,8 @@ void panda_inverse_dynamics_f32(
     const float u_dot[PANDA_NU],
     float tau[PANDA_NU]);
 
-/// Coordinates after unit time at the constant speeds `direction`, beginning at `q`. Quaternions keep their length.
+/// Coordinates after unit time at the constant speeds `direction`, beginning at `q`. Quaternions keep their length. Angles with angular velocities as
+/// speeds are singular at `cos(theta_2) = 0`, and none of them changes by more than half a revolution.
 ///
 /// - `p`: prepared parameters
 /// - `q`: coordinates, rad and m; 1 in quaternions
@@ -300,22 +301,22 @@ void panda_q_plus_f32(
     const float direction[PANDA_NU],
     float q_after[PANDA_NQ]);
 
-/// The direction by which `q_plus` leads `from` one `q` `to` another. Orientations turn by half a revolution at most.
+/// The direction by which `q_plus` leads from `q_from` to `q_to`. Orientations turn by half a revolution at most, whatever the lengths and signs of quaternions.
 ///
 /// - `p`: prepared parameters
-/// - `from`: coordinates, rad and m; 1 in quaternions
-/// - `to`: coordinates, rad and m; 1 in quaternions
+/// - `q_from`: coordinates, rad and m; 1 in quaternions
+/// - `q_to`: coordinates, rad and m; 1 in quaternions
 /// - `direction`: is written, whole
 void panda_q_minus_f64(
     const panda_prepared_f64 *p,
-    const double from[PANDA_NQ],
-    const double to[PANDA_NQ],
+    const double q_from[PANDA_NQ],
+    const double q_to[PANDA_NQ],
     double direction[PANDA_NU]);
 /// As `panda_q_minus_f64`.
 void panda_q_minus_f32(
     const panda_prepared_f32 *p,
-    const float from[PANDA_NQ],
-    const float to[PANDA_NQ],
+    const float q_from[PANDA_NQ],
+    const float q_to[PANDA_NQ],
     float direction[PANDA_NU]);
 
 #ifdef __cplusplus

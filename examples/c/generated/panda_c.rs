@@ -165,7 +165,8 @@ pub unsafe extern "C" fn panda_inverse_dynamics_f32(
     }
 }
 
-/// Coordinates after unit time at the constant speeds `direction`, beginning at `q`. Quaternions keep their length.
+/// Coordinates after unit time at the constant speeds `direction`, beginning at `q`. Quaternions keep their length. Angles with angular velocities as
+/// speeds are singular at `cos(theta_2) = 0`, and none of them changes by more than half a revolution.
 ///
 /// - `p`: prepared parameters
 /// - `q`: coordinates, rad and m; 1 in quaternions
@@ -202,11 +203,11 @@ pub unsafe extern "C" fn panda_q_plus_f32(
     }
 }
 
-/// The direction by which `q_plus` leads `from` one `q` `to` another. Orientations turn by half a revolution at most.
+/// The direction by which `q_plus` leads from `q_from` to `q_to`. Orientations turn by half a revolution at most, whatever the lengths and signs of quaternions.
 ///
 /// - `p`: prepared parameters
-/// - `from`: coordinates, rad and m; 1 in quaternions
-/// - `to`: coordinates, rad and m; 1 in quaternions
+/// - `q_from`: coordinates, rad and m; 1 in quaternions
+/// - `q_to`: coordinates, rad and m; 1 in quaternions
 /// - `direction`: is written, whole
 ///
 /// # Safety
@@ -214,12 +215,12 @@ pub unsafe extern "C" fn panda_q_plus_f32(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn panda_q_minus_f64(
     p: *const Prepared<f64>,
-    from: *const [f64; NQ],
-    to: *const [f64; NQ],
+    q_from: *const [f64; NQ],
+    q_to: *const [f64; NQ],
     direction: *mut [f64; NU],
 ) {
     unsafe {
-        direction.write(kane::manifold::q_minus(&*p, &*from, &*to));
+        direction.write(kane::manifold::q_minus(&*p, &*q_from, &*q_to));
     }
 }
 
@@ -230,11 +231,11 @@ pub unsafe extern "C" fn panda_q_minus_f64(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn panda_q_minus_f32(
     p: *const Prepared<f32>,
-    from: *const [f32; NQ],
-    to: *const [f32; NQ],
+    q_from: *const [f32; NQ],
+    q_to: *const [f32; NQ],
     direction: *mut [f32; NU],
 ) {
     unsafe {
-        direction.write(kane::manifold::q_minus(&*p, &*from, &*to));
+        direction.write(kane::manifold::q_minus(&*p, &*q_from, &*q_to));
     }
 }

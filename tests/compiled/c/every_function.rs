@@ -60,7 +60,7 @@ CALLS
     let (direction, to): ([R; NU], [R; NQ]) = (entries(10), entries(11));
     print!("q_plus.q_after"); q_plus(&p, &q, &direction).print(); println!();
     print!("q_minus.direction"); q_minus(&p, &q, &to).print(); println!();
-    let dt = R::from_f64(0.125);
+SCALED    let dt = R::from_f64(0.125);
     let show = |name: &str, (q_after, u_after): ([R; NQ], [R; NU])| {
         print!("{name}.q_after"); q_after.print(); println!();
         print!("{name}.u_after"); u_after.print(); println!();
@@ -94,6 +94,13 @@ fn main() {
     all::<f64>();
     all::<f32>();
 }
+"#;
+
+/// Where there are quaternions.
+const RUST_SCALED: &str = r#"
+    let mut scaled = q;
+    kane::manifold::scale_quaternions(&p, &mut scaled);
+    print!("scale_quaternions.q_after"); scaled.print(); println!();
 "#;
 
 const C_BEGINNING: &str = r#"
@@ -147,10 +154,10 @@ static void all_SCALAR(void)
     }
     claw_sines_cosines_SCALAR sin_cos;
     claw_sin_cos_SCALAR(&p, q, &sin_cos);
-    REAL direction[CLAW_NU], to[CLAW_NQ];
-    const REAL *from = q, dt = (REAL)0.125;
+    REAL direction[CLAW_NU], q_to[CLAW_NQ];
+    const REAL *q_from = q, dt = (REAL)0.125;
     fill_SCALAR(10, CLAW_NU, direction);
-    fill_SCALAR(11, CLAW_NQ, to);
+    fill_SCALAR(11, CLAW_NQ, q_to);
 CALLS}
 "#;
 
@@ -205,7 +212,10 @@ fn compare(name: &str, model: &str, changed: Option<&str>) -> usize {
     let kane = env!("CARGO_MANIFEST_DIR").replace('\\', "/");
     fs::write(folder.join("Cargo.toml"), MANIFEST.replace("KANE", &kane)).unwrap();
     fs::write(source.join("lib.rs"), "pub mod claw;\npub mod claw_c;\n").unwrap();
-    fs::write(source.join("main.rs"), rust_program(&functions, changed)).unwrap();
+    let scales = runtime.iter().any(|one| one.name == "scale_quaternions");
+    let program = rust_program(&functions, changed);
+    let program = program.replace("SCALED", if scales { RUST_SCALED } else { "" });
+    fs::write(source.join("main.rs"), program).unwrap();
     let called = || functions.iter().chain(&runtime);
     fs::write(source.join("main.c"), c_program(called(), changed)).unwrap();
 

@@ -63,12 +63,6 @@ pub(crate) fn are_listed(asked: &[String], listed: &Functions) -> bool {
     names(asked).into_iter().all(is_listed)
 }
 
-/// True where two names ask for the same, though spaces or quotes differ.
-fn is_same(one: &str, other: &str) -> bool {
-    let text = |name| Parsed::read(name).map(|parsed| parsed.text()).ok();
-    one == other || (text(one).is_some() && text(one) == text(other))
-}
-
 /// Reads `--functions`, in which names may stand that `kane.toml` gives.
 pub(crate) fn functions(
     lists: &[String],
@@ -86,7 +80,10 @@ pub(crate) fn functions(
             }));
         } else if let Err(fault) = request {
             failures.add(fault);
-        } else if names[..index].iter().any(|other| is_same(other, name)) {
+        } else if names[..index]
+            .iter()
+            .any(|other| Parsed::are_same(other, name))
+        {
             failures.add(Failures::message(format!(
                 "--functions names `{name}` twice"
             )));

@@ -95,13 +95,13 @@ pub(crate) fn run(
     let (beside, modules): (Vec<&PathBuf>, Vec<&PathBuf>) = all.partition(|path| is_beside(path));
     if modules.is_empty() {
         return Err(Failures::message(format!(
-            "`{}` only calls functions of a module; expected the module",
+            "`{}` stands beside a module; expected the module",
             beside[0].display()
         )));
     }
     if !beside.is_empty() {
         voice.say(format_args!(
-            "note: {} of the files only call functions of modules; they are not checked",
+            "note: {} of the files stand beside modules; they are not checked",
             beside.len()
         ));
     }

@@ -1,6 +1,7 @@
 //! Mesh files that are text.
 
 use std::borrow::Cow;
+use std::str::SplitAsciiWhitespace;
 
 use crate::diagnostic::Escaped;
 
@@ -14,12 +15,20 @@ pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes)
 }
 
-/// The words of each line that has some, with the line's number. Lines end in a line feed, or all of them in a carriage return alone.
-pub(super) fn lines(
-    text: &str,
-) -> impl Iterator<Item = (usize, std::str::SplitAsciiWhitespace<'_>)> {
-    let end = if text.contains('\n') { '\n' } else { '\r' };
-    let lines = text.split(end).enumerate();
+/// The words of each line, with the line's number. A line ends in a line feed, a carriage return, or both.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, SplitAsciiWhitespace<'_>)> {
+    let mut rest = Some(text);
+    let lines = std::iter::from_fn(move || {
+        let line = rest?;
+        let Some(end) = line.find(['\n', '\r']) else {
+            rest = None;
+            return Some(line);
+        };
+        let (line, after) = line.split_at(end);
+        rest = after.strip_prefix("\r\n").or_else(|| after.get(1..));
+        Some(line)
+    });
+    let lines = lines.enumerate();
     lines.map(|(index, line)| (index + 1, line.split_ascii_whitespace()))
 }
 

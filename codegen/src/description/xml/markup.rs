@@ -14,7 +14,7 @@ pub(crate) fn check(text: &str) -> Result<(), Diagnostic> {
         n_namespaces += text.matches("xmlns").count();
         if n_namespaces > XML_NAMESPACES {
             let message = format!(
-                "more than {XML_NAMESPACES} namespaces are declared; expected at most that"
+                "more than {XML_NAMESPACES} namespaces are declared; expected at most {XML_NAMESPACES}"
             );
             return Err(at_place(message, at, "<"));
         }

@@ -65,7 +65,7 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 20] = [
         &["friction", "coulombfriction", "frictionloss"],
     ),
     (
-        "gains follow from `A` and `B` of a step, which `kane::discrete` computes in Rust",
+        "gains follow from `A` and `B` of a step, which `kane::discrete` computes in Rust and `rk4_linearized` in C",
         &["lqr", "dlqr", "riccati"],
     ),
     (

@@ -80,7 +80,7 @@ pub fn advice(name: &str) -> String {
     } else if let Some(operator) = found(&OPERATORS, &words) {
         format!("expected `{operator}`, of a function `F` by variables `X`")
     } else if let Some(of_runtime) = found(&RUNTIME, &words) {
-        format!("that is {of_runtime}, for every system")
+        format!("that is {of_runtime}")
     } else if let Some(advice) = found(&NO_FUNCTIONS, &words) {
         advice.to_owned()
     } else if let Some(request) = generated_name::request(name) {

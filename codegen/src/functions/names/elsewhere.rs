@@ -437,27 +437,27 @@ pub(super) const OPERATORS: [(&str, &[&str]); 5] = [
 /// What the runtime crate does, for every system.
 pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
     (
-        "`kane::inverse_kinematics` in Rust",
+        "`kane::inverse_kinematics` in Rust, for every system",
         &["inversekinematics", "ik"],
     ),
     (
-        "`kane::manifold::q_plus` in Rust, `q_plus` in C",
+        "`kane::manifold::q_plus` in Rust and `q_plus` in C, for every system",
         &["integrate", "mjintegratepos", "qplus"],
     ),
     (
-        "`kane::manifold::q_minus` in Rust, `q_minus` in C",
+        "`kane::manifold::q_minus` in Rust and `q_minus` in C, for every system",
         &["difference", "mjdifferentiatepos", "qminus"],
     ),
     (
-        "`kane::manifold::TangentMap` in Rust",
+        "`kane::manifold::TangentMap` in Rust, for every system",
         &["dintegrate", "ddifference", "integratetransport"],
     ),
     (
-        "`kane::rotation` in Rust",
+        "`kane::rotation` in Rust, for every system",
         &["log3", "log6", "exp3", "exp6", "jlog3", "jlog6", "jexp3"],
     ),
     (
-        "`kane::discrete` in Rust, `rk4_step` and others in C",
+        "`kane::discrete` in Rust, and `rk4_step` and others in C, with the request `forward_dynamics`; for `A` and `B` with `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`",
         &[
             "euler",
             "eulerstep",
@@ -475,6 +475,8 @@ pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
             "discretise",
             "rk4",
             "rk4step",
+            "rk4linearized",
+            "eulerlinearized",
         ],
     ),
 ];

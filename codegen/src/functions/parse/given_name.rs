@@ -6,14 +6,14 @@ use crate::{
         function::Function,
         signature::{HELPER_INFIX, NOMINAL, PREPARE, SIN_COS, STAGE_INFIX},
     },
-    words::{C_INPUT, C_RUNTIME, C_STRUCTURES, is_rust_keyword},
+    words::{C_RUNTIME, C_STRUCTURES, is_rust_keyword},
 };
 
 /// The longest name that a function may be given.
 const LONGEST_NAME: usize = 64;
 
 /// The functions that generated modules, and C's headers, have beside those that are asked for.
-const TAKEN: [&str; 4] = [SIN_COS, PREPARE, NOMINAL, C_INPUT];
+const TAKEN: [&str; 3] = [SIN_COS, PREPARE, NOMINAL];
 
 /// What the names of stages and helpers have.
 const INFIXES: [&str; 2] = [STAGE_INFIX, HELPER_INFIX];
@@ -25,12 +25,6 @@ pub(super) fn fault(word: &Word) -> Option<RequestError> {
         why: why_not(&word.text)?,
         place: word.place.clone(),
     })
-}
-
-fn is_taken(name: &str) -> bool {
-    [&TAKEN[..], &C_STRUCTURES, &C_RUNTIME]
-        .into_iter()
-        .any(|names| names.contains(&name))
 }
 
 fn why_not(name: &str) -> Option<String> {
@@ -46,8 +40,10 @@ fn why_not(name: &str) -> Option<String> {
         "it is a keyword of Rust"
     } else if Function::find(name).is_some() {
         "it is a function of the catalogue"
-    } else if is_taken(name) {
+    } else if TAKEN.contains(&name) || C_STRUCTURES.contains(&name) {
         "a module has something of that name"
+    } else if C_RUNTIME.contains(&name) {
+        "C has a function of that name"
     } else {
         let mut infixes = INFIXES.into_iter();
         let infix = infixes.find(|infix| name.contains(infix))?;

@@ -145,6 +145,12 @@ impl Parsed {
         parts.join("+") + if self.at_sin_cos { AT_SIN_COS } else { "" }
     }
 
+    /// True where two texts ask for the same, though spaces or quotes differ.
+    pub fn are_same(one: &str, other: &str) -> bool {
+        let text = |request| Self::read(request).map(|parsed| parsed.text()).ok();
+        one == other || (text(one).is_some() && text(one) == text(other))
+    }
+
     /// True where it joins the same parts, in whatever order.
     pub fn has_the_parts_of(&self, other: &Self) -> bool {
         let parts = |of: &Self| {

@@ -51,13 +51,15 @@ impl Sizes {
     /// # Panics
     /// Where no size has the name: signatures and sizes are made from the same functions.
     pub fn length(&self, length: &Length) -> usize {
+        let value = |name: &str| {
+            let size = self.named(name);
+            size.unwrap_or_else(|| unreachable!("listing: no size `{name}`"))
+                .value
+        };
         match length {
             Length::Number(number) => *number,
-            Length::Constant(name) => {
-                let size = self.named(name);
-                size.unwrap_or_else(|| unreachable!("listing: no size `{name}`"))
-                    .value
-            }
+            Length::Constant(name) => value(name),
+            Length::Twice(name) => 2 * value(name),
         }
     }
 }

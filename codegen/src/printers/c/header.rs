@@ -57,11 +57,9 @@ fn empty<'a>(facts: &'a Facts, signatures: &[&Signature]) -> BTreeSet<&'a str> {
         let own = own.chain(facts.entries.iter().map(|entries| &entries.length));
         let arguments = signatures.iter().flat_map(|one| &one.arguments);
         let lengths = arguments.flat_map(|argument| &argument.lengths);
-        let constants = lengths.filter_map(|length| match length {
-            Length::Constant(name) => Some(name),
-            Length::Number(_) => None,
-        });
-        size.value == 0 && own.chain(constants).any(|length| *length == size.name)
+        let constants = lengths.filter_map(Length::constant);
+        let mut named = own.map(String::as_str).chain(constants);
+        size.value == 0 && named.any(|length| length == size.name)
     });
     empty.map(|size| size.name.as_str()).collect()
 }
@@ -247,13 +245,17 @@ impl Header<'_> {
         }
     }
 
+    /// A length by its name in C; none for one that is zero.
+    fn constant(&self, name: &str) -> Option<String> {
+        (!self.empty.contains(name)).then(|| format!("{}{name}", self.prefix))
+    }
+
     /// The number of elements; none for one, and for an array that is empty, which C does not know.
     fn lengths(&self, argument: &Declared) -> Option<String> {
         let lengths = argument.lengths.iter().map(|length| match length {
             Length::Number(number) => (*number > 0).then(|| number.to_string()),
-            Length::Constant(name) => {
-                (!self.empty.contains(name.as_str())).then(|| format!("{}{name}", self.prefix))
-            }
+            Length::Constant(name) => self.constant(name),
+            Length::Twice(name) => self.constant(name).map(|name| format!("2 * {name}")),
         });
         let lengths: Vec<String> = lengths.collect::<Option<_>>()?;
         (!lengths.is_empty()).then(|| lengths.join(" * "))

@@ -26,6 +26,8 @@ pub(crate) enum RuntimeKind {
     QPlus,
     /// `kane::manifold::q_minus`.
     QMinus,
+    /// `kane::manifold::scale_quaternions`.
+    ScaleQuaternions,
     /// `step` of this module of `kane::discrete`.
     Step(&'static str),
     /// `linearized` of this module of `kane::discrete`.
@@ -44,8 +46,11 @@ pub(crate) fn of(module: &Module) -> Vec<RuntimeFunction> {
     let has_step = parts.any(|part| part.function.name == "forward_dynamics");
     let mut traits = functions.filter_map(|one| one.derivative_trait.as_ref());
     let has_derivatives = traits.any(|own| own.name == OF_LINEARIZED);
-    let [_, _, euler_step, rk4_step, euler_linearized, rk4_linearized] = C_RUNTIME;
+    let [.., euler_step, rk4_step, euler_linearized, rk4_linearized] = C_RUNTIME;
     let mut all = vec![q_plus(), q_minus()];
+    if module.facts.has_quaternions() {
+        all.push(scale_quaternions());
+    }
     if has_step {
         all.push(step(euler_step, &EULER));
         all.push(step(rk4_step, &RK4));
@@ -77,13 +82,16 @@ const RK4: Kind = Kind {
 
 fn q_plus() -> RuntimeFunction {
     let [name, ..] = C_RUNTIME;
-    let doc = "Coordinates after unit time at the constant speeds `direction`, beginning at `q`. Quaternions keep their length.";
+    let doc = [
+        "Coordinates after unit time at the constant speeds `direction`, beginning at `q`. Quaternions keep their length. Angles with angular velocities as",
+        "speeds are singular at `cos(theta_2) = 0`, and none of them changes by more than half a revolution.",
+    ];
     let direction = Declared::read("direction", Element::Scalar, "speeds times a time");
     let q = Argument::Q.declared();
     let after = after(&q);
     function(
         name,
-        &[doc],
+        &doc,
         [q, of_speeds(direction), after],
         RuntimeKind::QPlus,
     )
@@ -91,14 +99,22 @@ fn q_plus() -> RuntimeFunction {
 
 fn q_minus() -> RuntimeFunction {
     let [_, name, ..] = C_RUNTIME;
-    let doc = "The direction by which `q_plus` leads `from` one `q` `to` another. Orientations turn by half a revolution at most.";
+    let doc = "The direction by which `q_plus` leads from `q_from` to `q_to`. Orientations turn by half a revolution at most, whatever the lengths and signs of quaternions.";
     let q = |name: &str| Declared {
         name: name.to_owned(),
         ..Argument::Q.declared()
     };
     let direction = written("direction", "what `q_plus` is given");
-    let of = [q("from"), q("to"), of_speeds(direction)];
+    let of = [q("q_from"), q("q_to"), of_speeds(direction)];
     function(name, &[doc], of, RuntimeKind::QMinus)
+}
+
+fn scale_quaternions() -> RuntimeFunction {
+    let [_, _, name, ..] = C_RUNTIME;
+    let doc = "The same coordinates with quaternions of length one, whatever length they have; one of four zeros stays. For a `q` from elsewhere.";
+    let q = Argument::Q.declared();
+    let after = after(&q);
+    function(name, &[doc], [q, after], RuntimeKind::ScaleQuaternions)
 }
 
 fn step(name: &str, kind: &Kind) -> RuntimeFunction {
@@ -117,9 +133,9 @@ fn linearized(name: &str, kind: &Kind, matrices: &[Declared; 2]) -> RuntimeFunct
 }
 
 fn after_step(kind: &Kind) -> String {
-    let what = kind.what;
+    let Kind { module, what } = kind;
     format!(
-        "The state after {what} of the time `dt`, in which `tau` stays constant. Quaternions keep their length."
+        "The state after {what} of the time `dt`, in which `tau` stays constant: `kane::discrete::{module}` of the runtime. Quaternions of about length one have it afterwards."
     )
 }
 
@@ -136,7 +152,7 @@ fn state() -> [Declared; 6] {
 
 /// The matrices of a linearized step, `2 NU` by `2 NU` and `2 NU` by `NU`.
 fn matrices(units: &Units) -> [Declared; 2] {
-    let n_speeds = || Length::Constant(N_SPEEDS.to_owned());
+    let n_speeds = || N_SPEEDS.to_owned();
     let given = |unit: Unit| {
         let units = unit.among(&units.coordinates, &units.speeds);
         Unit::Derived(units.into_iter().map(str::to_owned).collect())
@@ -144,12 +160,12 @@ fn matrices(units: &Units) -> [Declared; 2] {
     let [direction, speed, force] =
         [DIRECTION, Unit::BySpeed(SPEED), Unit::BySpeed(FORCE)].map(given);
     let changes = [direction, speed];
-    let matrix = |declared, columns: &[Length], by: &[Unit]| {
+    let matrix = |declared, columns: Length, by: &[Unit]| {
         let pairs = changes
             .iter()
             .flat_map(|of| by.iter().map(move |by| (of, by)));
         Declared {
-            lengths: [&[Length::Number(2), n_speeds()], columns].concat(),
+            lengths: vec![Length::Twice(n_speeds()), columns],
             unit: Unit::quotients(pairs),
             ..declared
         }
@@ -157,8 +173,8 @@ fn matrices(units: &Units) -> [Declared; 2] {
     let a = written("a", "how the state before the step changes that after it");
     let b = written("b", "how `tau` changes the state after the step");
     [
-        matrix(a, &[Length::Number(2), n_speeds()], &changes),
-        matrix(b, &[n_speeds()], &[force]),
+        matrix(a, Length::Twice(n_speeds()), &changes),
+        matrix(b, Length::Constant(n_speeds()), &[force]),
     ]
 }
 

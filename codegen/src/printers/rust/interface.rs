@@ -56,10 +56,7 @@ pub(crate) fn source(module: &Module, name: &str) -> String {
 fn imports(signatures: &[&Signature], name: &str) -> Item {
     let arguments = signatures.iter().flat_map(|one| &one.arguments);
     let named = arguments.flat_map(|argument| {
-        let constants = argument.lengths.iter().filter_map(|length| match length {
-            Length::Number(_) => None,
-            Length::Constant(name) => Some(name.as_str()),
-        });
+        let constants = argument.lengths.iter().filter_map(Length::constant);
         let element = match argument.element {
             Element::Scalar | Element::Load => None,
             Element::Parameters => Some("Parameters"),
@@ -165,7 +162,11 @@ fn runtime_call(kind: RuntimeKind) -> TokenStream {
             q_after.write(kane::manifold::q_plus(&*p, &*q, &*direction));
         },
         RuntimeKind::QMinus => quote! {
-            direction.write(kane::manifold::q_minus(&*p, &*from, &*to));
+            direction.write(kane::manifold::q_minus(&*p, &*q_from, &*q_to));
+        },
+        RuntimeKind::ScaleQuaternions => quote! {
+            q_after.write(*q);
+            kane::manifold::scale_quaternions(&*p, &mut *q_after);
         },
         RuntimeKind::Step(of) => {
             let of = ident(of);
@@ -184,11 +185,11 @@ fn runtime_call(kind: RuntimeKind) -> TokenStream {
                 let rows = |[left, right]: [[[_; NU]; NU]; 2]| {
                     core::array::from_fn(|row| [left[row], right[row]])
                 };
-                a.write([
+                a.cast::<[[[[_; NU]; 2]; NU]; 2]>().write([
                     rows([derivatives.q_by_q, derivatives.q_by_u]),
                     rows([derivatives.u_by_q, derivatives.u_by_u]),
                 ]);
-                b.write([derivatives.q_by_tau, derivatives.u_by_tau]);
+                b.cast::<[[[_; NU]; NU]; 2]>().write([derivatives.q_by_tau, derivatives.u_by_tau]);
             }
         }
     }

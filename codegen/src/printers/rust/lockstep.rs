@@ -113,7 +113,9 @@ pub(super) fn scratch(function: &Function) -> Vec<Stmt> {
                 let length = number_of(*length);
                 quote!([#row; #length])
             }
-            Length::Constant(_) => unreachable!("printers: scratch has known lengths"),
+            Length::Constant(_) | Length::Twice(_) => {
+                unreachable!("printers: scratch has known lengths")
+            }
         });
         parse_quote!(let mut #name = #filled;)
     });

@@ -35,5 +35,9 @@ pub(super) fn held(argument: &Declared, scalar: &str) -> TokenStream {
             let name = ident(name);
             quote!([#held; #name])
         }
+        Length::Twice(name) => {
+            let name = ident(name);
+            quote!([#held; 2 * #name])
+        }
     })
 }

@@ -176,10 +176,20 @@ impl Check<'_> {
 
     /// Warns of rest positions without springs.
     fn rests(&mut self, rest: &PerCoordinate<Scalar>, stiffness: &PerCoordinate<Scalar>) {
-        if let (Some(first), PerCoordinate::Absent) = (values(rest).first(), stiffness) {
+        let has_spring = |coordinate: usize| stiffness.at(coordinate).is_some();
+        let idle = match rest {
+            PerCoordinate::Absent => None,
+            PerCoordinate::Same(value) => Some(value).filter(|_| !(0..6).any(has_spring)),
+            PerCoordinate::Each(values) => {
+                let mut values = values.iter();
+                let idle = values.find(|(coordinate, _)| !has_spring(coordinate.value.index()));
+                idle.map(|(_, value)| value)
+            }
+        };
+        if let Some(idle) = idle {
             let message = format!("`rest` of {} has no effect without `stiffness`", self.name);
             let warning =
-                Diagnostic::warning(message).at(first.span, "expected `stiffness` beside it");
+                Diagnostic::warning(message).at(idle.span, "expected `stiffness` beside it");
             let warning = warning.one_of("joints with `rest` and without `stiffness`", self.called);
             self.findings.push(warning);
         }

@@ -258,7 +258,7 @@ fn readings(sides: [&Side; 2], asked: &Reading) -> [Reading; 2] {
     })
 }
 
-/// The options that `kane.toml` has for the first of these models that it lists, below what is asked for; and that file, where it does.
+/// The options that `kane.toml` has for the first of these models that it lists, below what is asked for; and in words where they come from.
 fn options(
     arguments: &Arguments,
     asked: &Asked<'_>,

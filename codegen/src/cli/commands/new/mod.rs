@@ -26,12 +26,7 @@ use crate::cli::{
 };
 
 /// Names that a package, its program or a module of it cannot have, though they are names in Rust.
-const TAKEN: [&str; 34] = [
-    "Option",
-    "Prepared",
-    "Result",
-    "String",
-    "Vec",
+const TAKEN: [&str; 29] = [
     "alloc",
     "bool",
     "build",
@@ -132,8 +127,7 @@ pub(crate) fn run(
 
     let module = folder.join(format!("src/{name}.rs"));
     let abi = arguments.abi;
-    let around = workspace_around(folder)?;
-    let manifest = package::manifest(&name, &dependency, abi, around.is_some());
+    let manifest = package::manifest(&name, &dependency, abi);
     let config = config::config(&name, &shown, &model.tree, &options, abi);
     let (program, next) = package::program(&name, &model.tree, abi);
     let workflow = package::workflow(&dependency);
@@ -153,9 +147,9 @@ pub(crate) fn run(
     if matches!(dependency, Dependency::Registry) {
         voice.say("note: the package needs the crate `kane` of crates.io; where it is not there, `--kane FOLDER` takes that of a checkout");
     }
-    if let Some(around) = around {
+    if let Some(around) = workspace_around(folder)? {
         voice.say(format_args!(
-            "note: the package is a workspace of its own, for it is no member of that of `{}`",
+            "note: `{}` is a workspace: the package has to be among its `members`, or to have a table `[workspace]` of its own",
             around.display()
         ));
     }
@@ -173,8 +167,8 @@ fn workspace_around(package: &Path) -> Result<Option<PathBuf>, Failures> {
         .map(|folder| folder.join("Cargo.toml"));
     Ok(manifests.find(|manifest| {
         let text = fs::read_to_string(manifest).unwrap_or_default();
-        text.lines()
-            .any(|line| line.trim_start().starts_with("[workspace"))
+        let table = ::toml::de::DeTable::parse(text.trim_start_matches('\u{feff}'));
+        table.is_ok_and(|table| table.get_ref().contains_key("workspace"))
     }))
 }
 
@@ -183,6 +177,11 @@ fn name(folder: &Path) -> Result<String, Failures> {
     let name = folder.file_name().unwrap_or_default();
     let name = name.to_string_lossy().into_owned();
     let shown = name.escaped();
+    if name.starts_with(|first: char| first.is_ascii_uppercase()) {
+        return Err(Failures::message(format!(
+            "`{shown}` cannot be the name of the package and of its module: expected a lower-case letter first"
+        )));
+    }
     if TAKEN.contains(&name.as_str()) {
         return Err(Failures::message(format!(
             "`{shown}` cannot be the name of the package and of its module: Rust or cargo use it for something else"

@@ -20,14 +20,8 @@ pub(super) enum Dependency {
     Folder(String),
 }
 
-/// The text of `Cargo.toml`; with a workspace of its own where it stands in another.
-pub(super) fn manifest(
-    name: &str,
-    dependency: &Dependency,
-    abi: Option<Abi>,
-    is_alone: bool,
-) -> String {
-    let workspace = if is_alone { "[workspace]\n\n" } else { "" };
+/// The text of `Cargo.toml`.
+pub(super) fn manifest(name: &str, dependency: &Dependency, abi: Option<Abi>) -> String {
     let from = match dependency {
         Dependency::Registry => format!("version = \"{VERSION}\""),
         Dependency::Folder(path) => format!("path = {path}"),
@@ -37,7 +31,7 @@ pub(super) fn manifest(
         Some(Abi::C) => "[lib]\ncrate-type = [\"staticlib\"]\n\n",
     };
     format!(
-        "{workspace}[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\n\n{library}\
+        "[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\n\n{library}\
          [dependencies]\n# Without its features it needs neither the standard library nor another crate.\n\
          kane = {{ {from}, default-features = false }}\n"
     )
