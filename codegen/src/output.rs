@@ -69,7 +69,7 @@ pub fn write(files: &[(PathBuf, &str)], overwrite: Overwrite) -> Result<(), Erro
 /// Writes `text` beside the file at `path`, which stays as it is; folders that are missing are made.
 ///
 /// # Errors
-/// As of [`write`].
+/// As of [`write()`].
 pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Error> {
     let io = |source| Error::Io {
         path: path.to_owned(),
