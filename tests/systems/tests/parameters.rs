@@ -159,6 +159,8 @@ fn declared(compiled: Compiled) -> Vec<String> {
         syn::Item::Fn(function) => Some(function.sig.to_token_stream().to_string()),
         syn::Item::Const(constant) if OWN.iter().all(|own| constant.ident != own) => {
             let (name, ty, value) = (&constant.ident, &constant.ty, &constant.expr);
+            // Their factors are found numerically, and differ in last digits.
+            let value = (name != "BASE_PARAMETER_TERMS").then_some(value);
             Some(quote::quote!(#name: #ty = #value).to_string())
         }
         _ => None,

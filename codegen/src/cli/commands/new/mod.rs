@@ -71,7 +71,7 @@ const TAKEN: [&str; 29] = [
     kane new my_dog spot.urdf --base free\n  \
     kane new my_arm panda.urdf --abi c")]
 pub(crate) struct Arguments {
-    /// The name of the package and its folder: ASCII letters, digits and `_`, a letter first
+    /// The name of the package and its folder: ASCII letters, digits and `_`, a lower-case letter first
     #[arg(value_name = "NAME")]
     folder: PathBuf,
 
