@@ -29,7 +29,7 @@ const _: () = {
 /// From what this was generated: as in the header, where that belongs to it.
 #[unsafe(no_mangle)]
 pub extern "C" fn cart_pole_input() -> *const core::ffi::c_char {
-    "a991a8c5fca73814\0".as_ptr().cast()
+    c"a991a8c5fca73814".as_ptr()
 }
 
 /// The model's nominal parameters.

@@ -29,7 +29,7 @@ const _: () = {
 /// From what this was generated: as in the header, where that belongs to it.
 #[unsafe(no_mangle)]
 pub extern "C" fn panda_input() -> *const core::ffi::c_char {
-    "fd49e927df99fbe5\0".as_ptr().cast()
+    c"fd49e927df99fbe5".as_ptr()
 }
 
 /// The model's nominal parameters.

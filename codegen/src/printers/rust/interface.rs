@@ -1,6 +1,6 @@
 //! The functions of a module for C: `extern "C"`, in a file of their own, which stands beside the module.
 
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, ffi::CString};
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -90,13 +90,14 @@ fn belongs_together(module: &Module, name: &str) -> Item {
 /// What a header can be compared with.
 fn input(module: &Module, name: &str) -> Item {
     let symbol = ident(&format!("{name}_{C_INPUT}"));
-    let text = format!("{}\0", module.facts.origin.input_text());
+    let text = CString::new(module.facts.origin.input_text());
+    let text = Literal::c_string(&text.expect("hexadecimal digits have no zero among them"));
     let doc = doc(["From what this was generated: as in the header, where that belongs to it."]);
     parse_quote! {
         #doc
         #[unsafe(no_mangle)]
         pub extern "C" fn #symbol() -> *const core::ffi::c_char {
-            #text.as_ptr().cast()
+            #text.as_ptr()
         }
     }
 }
