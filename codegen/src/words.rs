@@ -15,14 +15,21 @@ pub(crate) const C_STRUCTURES: [&str; 3] = ["parameters", "prepared", "sines_cos
 
 /// What C calls of the runtime crate, behind a module's name.
 pub(crate) const C_RUNTIME: [&str; 7] = [
-    "q_plus",
-    "q_minus",
-    "scale_quaternions",
-    "euler_step",
-    "rk4_step",
-    "euler_linearized",
-    "rk4_linearized",
+    Q_PLUS,
+    Q_MINUS,
+    SCALE_QUATERNIONS,
+    EULER_STEP,
+    RK4_STEP,
+    EULER_LINEARIZED,
+    RK4_LINEARIZED,
 ];
+pub(crate) const Q_PLUS: &str = "q_plus";
+pub(crate) const Q_MINUS: &str = "q_minus";
+pub(crate) const SCALE_QUATERNIONS: &str = "scale_quaternions";
+pub(crate) const EULER_STEP: &str = "euler_step";
+pub(crate) const RK4_STEP: &str = "rk4_step";
+pub(crate) const EULER_LINEARIZED: &str = "euler_linearized";
+pub(crate) const RK4_LINEARIZED: &str = "rk4_linearized";
 
 /// The function of C that tells from which input a library was generated, behind a module's name.
 pub(crate) const C_INPUT: &str = "input";

@@ -1,8 +1,10 @@
 //! Functions that a `kane.toml` names, each of which is known.
 
+use std::collections::BTreeMap;
+
 use crate::{
     description::toml_reader::{Reader, Table, span},
-    diagnostic::{Diagnostic, Escaped, Spanned},
+    diagnostic::{Diagnostic, Escaped, Span, Spanned},
     functions::{ALL, Parsed, RequestError, advice, is_set},
     options::{Functions, is_in_all},
 };
@@ -31,6 +33,7 @@ pub(super) fn read(reader: &mut Reader, system: &Table<'_, '_>) -> Option<(Funct
         return None;
     }
     let mut names: Vec<Spanned<String>> = Vec::new();
+    let mut known: BTreeMap<String, Span> = BTreeMap::new();
     for (index, entry) in entries.iter().enumerate() {
         let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
             continue;
@@ -40,17 +43,18 @@ pub(super) fn read(reader: &mut Reader, system: &Table<'_, '_>) -> Option<(Funct
         let faults = faults.unwrap_or_default();
         if !faults.is_empty() {
             reader.faults.extend(faults);
-        } else if let Some(first) = names
-            .iter()
-            .find(|first| Parsed::are_same(&first.value, &name.value))
-        {
+            continue;
+        }
+        let plain = Parsed::plain(&name.value);
+        if let Some(first) = known.get(&plain) {
             let fault = Diagnostic::error(format!("{what} names `{}` twice", name.value));
             reader.faults.push(
                 fault
                     .at(name.span, "the second one")
-                    .at(first.span, "the first one"),
+                    .at(*first, "the first one"),
             );
         } else {
+            known.insert(plain, name.span);
             names.push(name);
         }
     }

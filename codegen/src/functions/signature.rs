@@ -70,6 +70,12 @@ pub enum Access {
 }
 
 impl Signature {
+    /// The arguments with which this is done.
+    pub fn with(&self, access: Access) -> impl Iterator<Item = &Declared> {
+        let arguments = self.arguments.iter();
+        arguments.filter(move |argument| argument.access == access)
+    }
+
     /// The documentation, and a line for each argument; names of the module's tables with `prefix` before them.
     pub fn lines(&self, prefix: &str) -> Vec<String> {
         let arguments = self.arguments.iter().map(Declared::line);

@@ -67,12 +67,12 @@ impl Function {
 
     /// The arguments that it reads.
     pub fn inputs(&self) -> impl Iterator<Item = &Declared> {
-        with_access(&self.signature, Access::Read).map(|(_, argument)| argument)
+        self.signature.with(Access::Read)
     }
 
     /// The arguments that it writes.
     pub fn outputs(&self) -> impl Iterator<Item = &Declared> {
-        with_access(&self.signature, Access::Written).map(|(_, argument)| argument)
+        self.signature.with(Access::Written)
     }
 
     /// What it costs.
@@ -92,7 +92,8 @@ impl Function {
 
 /// The places of all numbers that a function writes: those of one output after the other.
 pub(super) fn places(signature: &Signature, facts: &Facts) -> Vec<Entry> {
-    let outputs = with_access(signature, Access::Written);
+    let arguments = signature.arguments.iter().enumerate();
+    let outputs = arguments.filter(|(_, argument)| argument.access == Access::Written);
     let places = outputs.flat_map(|(argument, declared)| {
         let extent = facts.extent(declared);
         let places = 0..extent.size();
@@ -102,9 +103,4 @@ pub(super) fn places(signature: &Signature, facts: &Facts) -> Vec<Entry> {
         })
     });
     places.collect()
-}
-
-fn with_access(signature: &Signature, access: Access) -> impl Iterator<Item = (usize, &Declared)> {
-    let arguments = signature.arguments.iter().enumerate();
-    arguments.filter(move |(_, argument)| argument.access == access)
 }

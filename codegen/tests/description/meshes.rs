@@ -244,7 +244,7 @@ fn hull_of_points_of_a_sphere_nears_the_ball() {
         "volume",
         &[number(body.mass)],
         &[volume],
-        // What lies between 4000 even planes and the sphere is 1.48e-3 of it; a hull that lost a tenth of its points would pass by 1.65e-3.
+        // The hull of these points lacks 1.48e-3 of the ball; that of four in five of them would lack 2.4e-3.
         Tolerance::relative(1.5e-3),
     );
     let moment = 0.4 * volume;

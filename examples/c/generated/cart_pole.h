@@ -22,9 +22,9 @@
 extern "C" {
 #endif
 
-/// From what this header was generated. `cart_pole_input` tells the same of the library: if it differs, build the library again.
+/// The hash of what this header was generated from. If `cart_pole_input()` returns another one, build the library again.
 #define CART_POLE_INPUT "a991a8c5fca73814"
-/// The library's `CART_POLE_INPUT`.
+/// The hash of what the library was generated from.
 const char *cart_pole_input(void);
 
 /// Number of bodies.

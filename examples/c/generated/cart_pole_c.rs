@@ -26,7 +26,7 @@ const _: () = {
     );
 };
 
-/// From what this was generated: as in the header, where that belongs to it.
+/// The hash of what this was generated from, the same as in the header that belongs to it.
 #[unsafe(no_mangle)]
 pub extern "C" fn cart_pole_input() -> *const core::ffi::c_char {
     c"a991a8c5fca73814".as_ptr()

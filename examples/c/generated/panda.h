@@ -20,9 +20,9 @@
 extern "C" {
 #endif
 
-/// From what this header was generated. `panda_input` tells the same of the library: if it differs, build the library again.
+/// The hash of what this header was generated from. If `panda_input()` returns another one, build the library again.
 #define PANDA_INPUT "fd49e927df99fbe5"
-/// The library's `PANDA_INPUT`.
+/// The hash of what the library was generated from.
 const char *panda_input(void);
 
 /// Number of bodies.

@@ -70,6 +70,7 @@ pub(crate) fn functions(
 ) -> Result<Functions, Failures> {
     let names = names(lists);
     let mut failures = Failures::default();
+    let plain: Vec<String> = names.iter().map(|name| Parsed::plain(name)).collect();
     for (index, name) in names.iter().enumerate() {
         let request = (!is_set(name)).then(|| request(name, listed)).transpose();
         if name.is_empty() {
@@ -80,10 +81,7 @@ pub(crate) fn functions(
             }));
         } else if let Err(fault) = request {
             failures.add(fault);
-        } else if names[..index]
-            .iter()
-            .any(|other| Parsed::are_same(other, name))
-        {
+        } else if plain[..index].contains(&plain[index]) {
             failures.add(Failures::message(format!(
                 "--functions names `{name}` twice"
             )));

@@ -145,10 +145,9 @@ impl Parsed {
         parts.join("+") + if self.at_sin_cos { AT_SIN_COS } else { "" }
     }
 
-    /// True where two texts ask for the same, though spaces or quotes differ.
-    pub fn are_same(one: &str, other: &str) -> bool {
-        let text = |request| Self::read(request).map(|parsed| parsed.text()).ok();
-        one == other || (text(one).is_some() && text(one) == text(other))
+    /// A request without what does not matter, spaces and quotes; one with faults as it is.
+    pub fn plain(request: &str) -> String {
+        Self::read(request).map_or_else(|_| request.to_owned(), |parsed| parsed.text())
     }
 
     /// True where it joins the same parts, in whatever order.

@@ -90,9 +90,9 @@ impl Header<'_> {
         let constant = C_INPUT.to_uppercase();
         let input = self.facts.origin.input_text();
         format!(
-            "/// From what this header was generated. `{name}_{C_INPUT}` tells the same of the library: if it differs, build the library again.\n\
+            "/// The hash of what this header was generated from. If `{name}_{C_INPUT}()` returns another one, build the library again.\n\
              #define {prefix}{constant} \"{input}\"\n\
-             /// The library's `{prefix}{constant}`.\n\
+             /// The hash of what the library was generated from.\n\
              const char *{name}_{C_INPUT}(void);\n"
         )
     }

@@ -5,7 +5,9 @@ use crate::{
         Access, Argument, Declared, Element, FORCE, Length, N_SPEEDS, SPEED, Signature, Unit,
     },
     listing::{Module, Units},
-    words::C_RUNTIME,
+    words::{
+        EULER_LINEARIZED, EULER_STEP, Q_MINUS, Q_PLUS, RK4_LINEARIZED, RK4_STEP, SCALE_QUATERNIONS,
+    },
 };
 
 /// The trait of what derivatives of steps need.
@@ -46,19 +48,16 @@ pub(crate) fn of(module: &Module) -> Vec<RuntimeFunction> {
     let has_step = parts.any(|part| part.function.name == "forward_dynamics");
     let mut traits = functions.filter_map(|one| one.derivative_trait.as_ref());
     let has_derivatives = traits.any(|own| own.name == OF_LINEARIZED);
-    let [.., euler_step, rk4_step, euler_linearized, rk4_linearized] = C_RUNTIME;
     let mut all = vec![q_plus(), q_minus()];
     if module.facts.has_quaternions() {
         all.push(scale_quaternions());
     }
     if has_step {
-        all.push(step(euler_step, &EULER));
-        all.push(step(rk4_step, &RK4));
+        all.extend([&EULER, &RK4].map(step));
     }
     if has_derivatives {
         let matrices = matrices(&module.facts.units);
-        all.push(linearized(euler_linearized, &EULER, &matrices));
-        all.push(linearized(rk4_linearized, &RK4, &matrices));
+        all.extend([&EULER, &RK4].map(|kind| linearized(kind, &matrices)));
     }
     all
 }
@@ -69,19 +68,25 @@ struct Kind {
     module: &'static str,
     /// What it is, in words.
     what: &'static str,
+    /// The names of its functions in C.
+    step: &'static str,
+    linearized: &'static str,
 }
 
 const EULER: Kind = Kind {
     module: "euler",
     what: "a semi-implicit Euler step",
+    step: EULER_STEP,
+    linearized: EULER_LINEARIZED,
 };
 const RK4: Kind = Kind {
     module: "rk4",
     what: "a Runge-Kutta step of fourth order",
+    step: RK4_STEP,
+    linearized: RK4_LINEARIZED,
 };
 
 fn q_plus() -> RuntimeFunction {
-    let [name, ..] = C_RUNTIME;
     let doc = [
         "Coordinates after unit time at the constant speeds `direction`, beginning at `q`. Quaternions keep their length. Angles with angular velocities as",
         "speeds are singular at `cos(theta_2) = 0`, and none of them changes by more than half a revolution.",
@@ -89,58 +94,54 @@ fn q_plus() -> RuntimeFunction {
     let direction = Declared::read("direction", Element::Scalar, "speeds times a time");
     let q = Argument::Q.declared();
     let after = after(&q);
-    function(
-        name,
-        &doc,
-        [q, of_speeds(direction), after],
-        RuntimeKind::QPlus,
-    )
+    let arguments = [q, of_directions(direction), after];
+    function(Q_PLUS, &doc, arguments, RuntimeKind::QPlus)
 }
 
 fn q_minus() -> RuntimeFunction {
-    let [_, name, ..] = C_RUNTIME;
     let doc = "The direction by which `q_plus` leads from `q_from` to `q_to`. Orientations turn by half a revolution at most, whatever the lengths and signs of quaternions.";
     let q = |name: &str| Declared {
         name: name.to_owned(),
         ..Argument::Q.declared()
     };
     let direction = written("direction", "what `q_plus` is given");
-    let of = [q("q_from"), q("q_to"), of_speeds(direction)];
-    function(name, &[doc], of, RuntimeKind::QMinus)
+    let of = [q("q_from"), q("q_to"), of_directions(direction)];
+    function(Q_MINUS, &[doc], of, RuntimeKind::QMinus)
 }
 
 fn scale_quaternions() -> RuntimeFunction {
-    let [_, _, name, ..] = C_RUNTIME;
     let doc = "The same coordinates with quaternions of length one, whatever length they have; one of four zeros stays. For a `q` from elsewhere.";
     let q = Argument::Q.declared();
     let after = after(&q);
-    function(name, &[doc], [q, after], RuntimeKind::ScaleQuaternions)
+    let kind = RuntimeKind::ScaleQuaternions;
+    function(SCALE_QUATERNIONS, &[doc], [q, after], kind)
 }
 
-fn step(name: &str, kind: &Kind) -> RuntimeFunction {
-    let doc = after_step(kind);
-    function(name, &[&doc], state(), RuntimeKind::Step(kind.module))
+fn step(kind: &Kind) -> RuntimeFunction {
+    let own = RuntimeKind::Step(kind.module);
+    function(kind.step, &[&doc_of_step(kind)], states(), own)
 }
 
-fn linearized(name: &str, kind: &Kind, matrices: &[Declared; 2]) -> RuntimeFunction {
+fn linearized(kind: &Kind, matrices: &[Declared; 2]) -> RuntimeFunction {
     let doc = [
-        &after_step(kind),
+        &doc_of_step(kind),
         "Also its derivatives: a change of the state, of `q` before that of `u`, is after the step `a` times that before it and `b` times that of `tau`.",
         "A change of `q` has one entry per speed, along the axes of `u`.",
     ];
-    let arguments = state().into_iter().chain(matrices.iter().cloned());
-    function(name, &doc, arguments, RuntimeKind::Linearized(kind.module))
+    let arguments = states().into_iter().chain(matrices.iter().cloned());
+    let own = RuntimeKind::Linearized(kind.module);
+    function(kind.linearized, &doc, arguments, own)
 }
 
-fn after_step(kind: &Kind) -> String {
-    let Kind { module, what } = kind;
+fn doc_of_step(kind: &Kind) -> String {
+    let Kind { module, what, .. } = kind;
     format!(
         "The state after {what} of the time `dt`, in which `tau` stays constant: `kane::discrete::{module}` of the runtime. Quaternions of about length one have it afterwards."
     )
 }
 
 /// What a step is given, and what it writes.
-fn state() -> [Declared; 6] {
+fn states() -> [Declared; 6] {
     let [q, u, tau] = [Argument::Q, Argument::U, Argument::Tau].map(Argument::declared);
     let dt = Declared {
         unit: Unit::Of(&["s"]),
@@ -178,8 +179,8 @@ fn matrices(units: &Units) -> [Declared; 2] {
     ]
 }
 
-/// A change of coordinates.
-fn of_speeds(declared: Declared) -> Declared {
+/// As an array of directions: one entry per speed.
+fn of_directions(declared: Declared) -> Declared {
     Declared {
         lengths: vec![Length::Constant(N_SPEEDS.to_owned())],
         unit: DIRECTION,

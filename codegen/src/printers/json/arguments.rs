@@ -11,11 +11,7 @@ use crate::{
 
 /// Members of a function.
 pub(super) fn members(facts: &Facts, signature: &Signature) -> [(&'static str, String); 2] {
-    let of = |access| {
-        let all = signature.arguments.iter();
-        let own = all.filter(|argument| argument.access == access);
-        list(own.map(|own| argument(facts, own)))
-    };
+    let of = |access| list(signature.with(access).map(|own| argument(facts, own)));
     [
         ("arguments", of(Access::Read)),
         ("outputs", of(Access::Written)),

@@ -2,7 +2,7 @@
 
 use super::{
     arguments,
-    syntax::{object, string},
+    syntax::{inner_records, object, string},
 };
 use crate::{
     listing::Module,
@@ -36,10 +36,9 @@ pub(super) fn member(module: &Module, prefix: &str) -> String {
             ("symbols", symbols(prefix, &signature.name)),
         ];
         members.extend(arguments::members(&module.facts, signature));
-        format!("      {}", object(&members))
+        object(&members)
     });
-    let runtime = runtime.collect::<Vec<_>>().join(",\n");
-    members.push(("runtime", format!("[\n{runtime}\n    ]")));
+    members.push(("runtime", inner_records(runtime)));
     let lines = members.into_iter();
     let lines: Vec<String> = lines
         .map(|(key, value)| format!("    {}: {value}", string(key)))

@@ -28,12 +28,21 @@ pub(super) fn strings<S: AsRef<str>>(items: impl IntoIterator<Item = S>) -> Stri
 
 /// A list with an item a line, of a member of the whole.
 pub(super) fn records(items: impl IntoIterator<Item = String>) -> String {
+    records_within("", items)
+}
+
+/// The same, of a member of a member.
+pub(super) fn inner_records(items: impl IntoIterator<Item = String>) -> String {
+    records_within("  ", items)
+}
+
+fn records_within(indent: &str, items: impl IntoIterator<Item = String>) -> String {
     let items = items.into_iter();
-    let items: Vec<String> = items.map(|item| format!("    {item}")).collect();
+    let items: Vec<String> = items.map(|item| format!("{indent}    {item}")).collect();
     if items.is_empty() {
         return "[]".to_owned();
     }
-    format!("[\n{}\n  ]", items.join(",\n"))
+    format!("[\n{}\n{indent}  ]", items.join(",\n"))
 }
 
 /// An object on one line; values are JSON already.

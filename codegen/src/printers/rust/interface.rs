@@ -92,7 +92,9 @@ fn input(module: &Module, name: &str) -> Item {
     let symbol = ident(&format!("{name}_{C_INPUT}"));
     let text = CString::new(module.facts.origin.input_text());
     let text = Literal::c_string(&text.expect("hexadecimal digits have no zero among them"));
-    let doc = doc(["From what this was generated: as in the header, where that belongs to it."]);
+    let doc = doc([
+        "The hash of what this was generated from, the same as in the header that belongs to it.",
+    ]);
     parse_quote! {
         #doc
         #[unsafe(no_mangle)]

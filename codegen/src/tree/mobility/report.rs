@@ -19,7 +19,7 @@ const MOST_REPORTED: usize = 100;
 /// What takes such motions out.
 const REMOVE: &str = "`--remove-massless`, or `remove_massless = true` in `kane.toml`, fixes at zero all that move none";
 /// What moves none only because of what is set at run time.
-const NOMINAL: &str = "or give what is set at run time other nominal values, with which it does";
+const NOMINAL: &str = "other nominal values of what is set at run time would do too";
 /// The most coordinates of one message that are named.
 const MOST_NAMED: usize = 8;
 
