@@ -14,7 +14,8 @@ use crate::{
 pub struct Named {
     /// The list, in the words of messages.
     what: String,
-    entries: Vec<Spanned<String>>,
+    /// The entries, by what each asks for however it writes that; the first of each.
+    entries: BTreeMap<String, Spanned<String>>,
 }
 
 /// Reads `functions` of a system.
@@ -68,7 +69,12 @@ pub(super) fn read(reader: &mut Reader, system: &Table<'_, '_>) -> Option<(Funct
         }
     }
     let functions = Functions::of(names.iter().map(|name| name.value.clone()));
-    let entries = names;
+    let mut entries = BTreeMap::new();
+    for name in names {
+        if let Some(asked) = asked(&name.value) {
+            entries.entry(asked).or_insert(name);
+        }
+    }
     Some((functions, Named { what, entries }))
 }
 
@@ -114,11 +120,13 @@ impl Named {
 
     /// The entry that asks for this, however it writes that.
     fn entry(&self, request: &str) -> Option<&Spanned<String>> {
-        let text = |request: &str| Parsed::read(request).ok().map(|request| request.text());
-        let asked = text(request);
-        let mut entries = self.entries.iter();
-        entries.find(|entry| text(&entry.value) == asked)
+        self.entries.get(&asked(request)?)
     }
+}
+
+/// What a text asks for, in one form.
+fn asked(request: &str) -> Option<String> {
+    Parsed::read(request).ok().map(|request| request.text())
 }
 
 /// All that is wrong with the name of a function in a list or table.

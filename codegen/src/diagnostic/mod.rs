@@ -9,6 +9,7 @@
 mod brief;
 mod fault;
 mod list;
+mod near;
 mod render;
 mod source;
 mod words;
@@ -16,6 +17,8 @@ mod words;
 pub use brief::Brief;
 pub use fault::{Diagnostic, Entry, Kind, Severity};
 pub use list::{Diagnostics, Faults};
+pub(crate) use near::NearNames;
+pub use near::nearest;
 pub use source::{Source, SourceFile, Span, Spanned};
-pub use words::{Escaped, count, first_few, nearest, printable};
+pub use words::{Escaped, count, first_few, printable};
 pub(crate) use words::{backquoted, is_unprintable, shown, shown_name};

@@ -162,26 +162,26 @@ impl Argument {
                 Shape::SPEEDS,
                 (
                     "the change of `q` along the motion of each speed",
-                    Unit::Of(&["rad", "m"]),
+                    Unit::DIRECTIONS,
                 ),
                 ("Q_DIRECTIONS", |place| Input::Product(0, place)),
             ),
             Self::UDirection => direction(
                 "u_direction",
                 Shape::SPEEDS,
-                ("the change of `u`", Unit::Of(&SPEED)),
+                ("the change of `u`", Unit::BySpeed(SPEED)),
                 ("U_DIRECTIONS", |place| Input::Product(1, place)),
             ),
             Self::UDotDirection => direction(
                 "u_dot_direction",
                 Shape::SPEEDS,
-                ("the change of `u_dot`", Unit::Of(&ACCELERATION)),
+                ("the change of `u_dot`", Unit::BySpeed(ACCELERATION)),
                 ("U_DOT_DIRECTIONS", |place| Input::Product(2, place)),
             ),
             Self::TauDirection => direction(
                 "tau_direction",
                 Shape::SPEEDS,
-                ("the change of `tau`", Unit::Of(&FORCE)),
+                ("the change of `tau`", Unit::BySpeed(FORCE)),
                 ("TAU_DIRECTIONS", |place| Input::Product(3, place)),
             ),
             Self::LoadsDirection => Row {
@@ -215,19 +215,22 @@ impl Argument {
                 ("coordinates", Unit::COORDINATES),
                 |place| Input::Q(CoordinateId::new(place)),
             ),
-            Self::U => Row::of_state("u", Shape::SPEEDS, ("speeds", Unit::Of(&SPEED)), |place| {
-                Input::U(SpeedId::new(place))
-            }),
+            Self::U => Row::of_state(
+                "u",
+                Shape::SPEEDS,
+                ("speeds", Unit::BySpeed(SPEED)),
+                |place| Input::U(SpeedId::new(place)),
+            ),
             Self::UDot => Row::of_state(
                 "u_dot",
                 Shape::SPEEDS,
-                ("rates of the speeds", Unit::Of(&ACCELERATION)),
+                ("rates of the speeds", Unit::BySpeed(ACCELERATION)),
                 |place| Input::UDot(SpeedId::new(place)),
             ),
             Self::Tau => Row::sampled(
                 "tau",
                 Shape::SPEEDS,
-                ("generalized forces", Unit::Of(&FORCE)),
+                ("generalized forces", Unit::BySpeed(FORCE)),
                 ("FORCES", |place| Input::Tau(SpeedId::new(place))),
             ),
             Self::Loads => Row {

@@ -113,7 +113,7 @@ impl Declared {
     /// What is said of it below the documentation, which says already what is written.
     fn line(&self) -> String {
         let (name, meaning) = (&self.name, &self.meaning);
-        match (self.access, self.unit.text().as_str()) {
+        match (self.access, self.unit.brief().as_str()) {
             (Access::Written, _) => format!("- `{name}`: is written, whole"),
             (Access::Read, "") => format!("- `{name}`: {meaning}"),
             (Access::Read, unit) => format!("- `{name}`: {meaning}, {unit}"),

@@ -23,12 +23,16 @@ pub(super) const TURNING: BySpeed = ["1", "1/m"];
 pub enum Unit {
     /// All that entries have, each once; none where whoever calls decides, or where values set at run time do.
     Of(&'static [&'static str]),
+    /// That of one value.
+    Single(&'static str),
     /// By the speed to which an entry belongs.
     BySpeed(BySpeed),
+    /// By the two speeds to which an entry belongs: of angles, of an angle and a translation, of translations.
+    ByTwoSpeeds([&'static str; 3]),
     /// By the coordinate to which an entry belongs: an angle, a translation, a part of a quaternion.
     ByCoordinate([&'static str; 3]),
-    /// As [`Self::Of`], where they follow from a model or from others.
-    Derived(Vec<String>),
+    /// Of each pair the quotient.
+    Quotients(Vec<(Unit, Unit)>),
 }
 
 impl Unit {
@@ -37,30 +41,47 @@ impl Unit {
     /// No unit.
     pub(super) const ONE: Self = Self::Of(&["1"]);
     /// Of a mass matrix.
-    pub(super) const MASS_MATRIX: Self = Self::Of(&["kg m^2", "kg m", "kg"]);
+    pub(super) const MASS_MATRIX: Self = Self::ByTwoSpeeds(["kg m^2", "kg m", "kg"]);
+    /// Of the inverse of a mass matrix.
+    pub(super) const MASS_MATRIX_INVERSE: Self =
+        Self::ByTwoSpeeds(["1/(kg m^2)", "1/(kg m)", "1/kg"]);
+    /// How fast a mass matrix changes.
+    pub(super) const MASS_MATRIX_DOT: Self = Self::ByTwoSpeeds(["kg m^2/s", "kg m/s", "kg/s"]);
     /// Of coordinates.
     pub(super) const COORDINATES: Self = Self::ByCoordinate(CoordinateKind::UNITS);
+    /// Of changes of coordinates along the motions of the speeds.
+    pub(crate) const DIRECTIONS: Self = Self::BySpeed(["rad", "m"]);
 
-    /// All of them; empty where none is known.
-    pub fn all(&self) -> Vec<&str> {
-        match self {
-            Self::Of(all) => all.to_vec(),
-            Self::BySpeed(all) => all.to_vec(),
-            Self::ByCoordinate(all) => all.to_vec(),
-            Self::Derived(all) => all.iter().map(String::as_str).collect(),
-        }
+    /// All of them, each once; empty where none is known.
+    pub fn all(&self) -> Vec<String> {
+        self.among(&CoordinateKind::UNITS, &SPEED)
     }
 
     /// Those of [`Self::all`] that there are where coordinates and speeds have these units.
-    pub fn among(&self, coordinates: &[&str], speeds: &[&str]) -> Vec<&str> {
-        let (all, given, known) = match self {
-            Self::ByCoordinate(_) => (self.all(), coordinates, &CoordinateKind::UNITS[..]),
-            Self::BySpeed(_) => (self.all(), speeds, &SPEED[..]),
-            Self::Of(_) | Self::Derived(_) => return self.all(),
+    pub fn among(&self, coordinates: &[&str], speeds: &[&str]) -> Vec<String> {
+        let [turns, shifts] = SPEED.map(|unit| speeds.contains(&unit));
+        let (all, there_are): (&[&str], Vec<bool>) = match self {
+            Self::Of(all) => (all, vec![true; all.len()]),
+            Self::Single(unit) => return vec![(*unit).to_owned()],
+            Self::BySpeed(all) => (all, vec![turns, shifts]),
+            Self::ByTwoSpeeds(all) => (all, vec![turns, turns && shifts, shifts]),
+            Self::ByCoordinate(all) => {
+                let there_is = |unit| coordinates.contains(&unit);
+                (all, CoordinateKind::UNITS.map(there_is).to_vec())
+            }
+            Self::Quotients(pairs) => {
+                let mut found = Vec::new();
+                for (of, by) in pairs {
+                    let by = by.among(coordinates, speeds);
+                    for of in of.among(coordinates, speeds) {
+                        found.extend(by.iter().map(|by| quotient(&of, by)));
+                    }
+                }
+                return unique(found);
+            }
         };
-        let both = all.into_iter().zip(known);
-        let found = both.filter(|(_, known)| given.contains(known));
-        found.map(|(unit, _)| unit).collect()
+        let found = all.iter().zip(there_are).filter(|(_, there_is)| *there_is);
+        found.map(|(unit, _)| (*unit).to_owned()).collect()
     }
 
     /// In words; empty where none is known, and where entries have none.
@@ -69,30 +90,38 @@ impl Unit {
             Self::BySpeed([turn, shift]) => {
                 format!("{turn} for an angle's speed, {shift} for a translation's")
             }
-            Self::ByCoordinate([angle, shift, quaternion]) => {
-                format!("{angle} and {shift}; {quaternion} in quaternions")
-            }
-            Self::Of(_) | Self::Derived(_) => match &self.all()[..] {
-                ["1"] => String::new(),
-                [one, other] => format!("{one} and {other}"),
-                all => all.join(", "),
-            },
+            _ => self.brief(),
         }
     }
 
-    /// Those of derivatives of the first of these by the second: of each pair the quotient, each once.
-    pub(crate) fn quotients<'a>(pairs: impl IntoIterator<Item = (&'a Self, &'a Self)>) -> Self {
-        let mut known: Vec<String> = Vec::new();
-        for (of, by) in pairs {
-            let of = of.all().into_iter();
-            for one in of.flat_map(|of| by.all().into_iter().map(move |by| quotient(of, by))) {
-                if !known.contains(&one) {
-                    known.push(one);
-                }
-            }
+    /// As [`Self::text`], without saying which entries have which.
+    pub(super) fn brief(&self) -> String {
+        if let Self::ByCoordinate([angle, shift, quaternion]) = self {
+            return format!("{angle} and {shift}; {quaternion} in quaternions");
         }
-        Self::Derived(known)
+        match &self.all()[..] {
+            [one] if one == "1" => String::new(),
+            [one, other] => format!("{one} and {other}"),
+            all => all.join(", "),
+        }
     }
+
+    /// Those of derivatives of the first of these by the second.
+    pub(crate) fn quotients<'a>(pairs: impl IntoIterator<Item = (&'a Self, &'a Self)>) -> Self {
+        let pairs = pairs.into_iter();
+        Self::Quotients(pairs.map(|(of, by)| (of.clone(), by.clone())).collect())
+    }
+}
+
+/// Each once, in the order in which they first stand.
+fn unique(all: Vec<String>) -> Vec<String> {
+    let mut known: Vec<String> = Vec::new();
+    for own in all {
+        if !known.contains(&own) {
+            known.push(own);
+        }
+    }
+    known
 }
 
 /// `N m/rad`, `(m/s)/rad`, `(rad/s^2)/(N m)`.

@@ -141,7 +141,7 @@ impl Variable {
             Self::Given(Argument::Q) => Argument::QDirection.unit(),
             Self::Given(argument) => argument.unit(),
             Self::Parameters => Unit::UNKNOWN,
-            Self::Parameter { unit, .. } => Unit::Derived(vec![(*unit).to_owned()]),
+            Self::Parameter { unit, .. } => Unit::Single(unit),
         }
     }
 

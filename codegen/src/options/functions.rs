@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::{
     functions::{ALL, DEFAULT, Function, Parsed, Request, RequestError, is_set},
+    limits::TOLD,
     tree::Tree,
 };
 
@@ -82,6 +83,9 @@ impl Functions {
                 Ok(request) if known.insert(request.text()) => requests.push(request),
                 Ok(_) => {}
                 Err(more) => faults.extend(more),
+            }
+            if faults.len() >= TOLD {
+                break;
             }
         }
         if faults.is_empty() {

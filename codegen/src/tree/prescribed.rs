@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use crate::description::{Description, WrittenBody};
-use crate::diagnostic::Escaped;
+use crate::diagnostic::{Escaped, NearNames};
 use crate::tree::names::{self, joint_named};
 use crate::tree::system::Tree;
 
@@ -18,8 +18,8 @@ pub enum PrescribedFault {
     Unknown {
         /// The name.
         name: String,
-        /// The joints that have speeds.
-        known: Vec<String>,
+        /// What was probably meant, or the joints that have speeds.
+        help: String,
     },
     /// Two names mean one joint.
     #[error("{}", twice(first, name))]
@@ -84,12 +84,7 @@ impl PrescribedFault {
     /// What to do about it.
     pub fn help(&self) -> String {
         match self {
-            Self::Unknown { name, known } => {
-                let known: Vec<&str> = known.iter().map(String::as_str).collect();
-                names::meant(name, &known, "joints with speeds").unwrap_or_else(|| {
-                    "no joint of the model has a speed: leave `prescribed` out".to_owned()
-                })
-            }
+            Self::Unknown { help, .. } => help.clone(),
             Self::Twice { .. } => "leave one of the two out".to_owned(),
             Self::Held { .. } => "leave it out: its acceleration is zero".to_owned(),
             Self::Follows { leader, .. } => {
@@ -110,10 +105,13 @@ pub fn prescribe(
 ) -> Result<Tree, Vec<PrescribedFault>> {
     let mut tree = tree;
     let mut faults = Vec::new();
+    let known = with_speeds(&tree);
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    let mut near = NearNames::default();
     let mut first_names: BTreeMap<usize, &String> = BTreeMap::new();
     for name in names {
         let Some(place) = joint_named(description, name) else {
-            faults.push(unknown(&tree, name));
+            faults.push(unknown(name, &known, &mut near));
             continue;
         };
         if let Some(first) = first_names.get(&place) {
@@ -146,12 +144,20 @@ fn moving(tree: &Tree, body: &WrittenBody) -> Option<usize> {
     tree.bodies.iter().position(|own| own.name == *name)
 }
 
-fn unknown(tree: &Tree, name: &str) -> PrescribedFault {
-    let with_speeds = tree.bodies.iter();
-    let with_speeds = with_speeds.filter(|body| !body.joint.speeds().is_empty());
+/// The joints that have speeds.
+fn with_speeds(tree: &Tree) -> Vec<String> {
+    let bodies = tree.bodies.iter();
+    let with_speeds = bodies.filter(|body| !body.joint.speeds().is_empty());
+    with_speeds.map(|body| body.joint.name.clone()).collect()
+}
+
+fn unknown(name: &str, known: &[&str], near: &mut NearNames) -> PrescribedFault {
+    let help = names::meant(name, known, near, "joints with speeds");
     PrescribedFault::Unknown {
         name: name.to_owned(),
-        known: with_speeds.map(|body| body.joint.name.clone()).collect(),
+        help: help.unwrap_or_else(|| {
+            "no joint of the model has a speed: leave `prescribed` out".to_owned()
+        }),
     }
 }
 

@@ -10,12 +10,10 @@ use crate::description::cycles::cycles;
 use crate::description::urdf::joint::JointElement;
 use crate::description::urdf::link::LinkElement;
 use crate::description::xml::Reader;
-use crate::diagnostic::{Diagnostic, Spanned, nearest, shown};
+use crate::diagnostic::{Diagnostic, NearNames, Spanned, shown};
 
 /// The most links of a cycle, or roots, that a message names.
 const MOST_NAMED: usize = 8;
-/// The most missing links for which a similar name is looked for, and the most links among which it is.
-const MOST_COMPARED: (usize, usize) = (20, 5000);
 
 /// How the links hang from one another.
 pub(super) struct Hung {
@@ -94,8 +92,8 @@ struct Ends<'d> {
     all_named: bool,
     /// True while every name was that of a link, and every link has one.
     all_found: bool,
-    /// How many names were not that of a link.
-    n_missing: usize,
+    /// Of names that are not that of a link, the one that was meant.
+    near: NearNames,
 }
 
 impl<'d> Ends<'d> {
@@ -109,7 +107,7 @@ impl<'d> Ends<'d> {
             places,
             all_named,
             all_found: all_named,
-            n_missing: 0,
+            near: NearNames::default(),
         }
     }
 
@@ -123,19 +121,14 @@ impl<'d> Ends<'d> {
         let place = name.and_then(|name| self.places.get(name.value).copied());
         self.all_found &= place.is_some();
         if let (Some(name), None, true) = (name, place, self.all_named) {
-            self.n_missing += 1;
             let link = shown(name.value);
             let fault = format!(
                 "`{end}` of {} is link `{link}`, which is not defined",
                 joint.words
             );
             let mut fault = Diagnostic::error(fault).at(name.span, "unknown link");
-            let (most_missing, most_links) = MOST_COMPARED;
-            if self.n_missing <= most_missing && self.places.len() <= most_links {
-                let names: Vec<&str> = self.places.keys().copied().collect();
-                if let Some(near) = nearest(name.value, &names) {
-                    fault = fault.help(format!("did you mean `{near}`?"));
-                }
+            if let Some(near) = self.near.nearest(name.value, self.places.keys().copied()) {
+                fault = fault.help(format!("did you mean `{near}`?"));
             }
             reader.faults.push(fault);
         }

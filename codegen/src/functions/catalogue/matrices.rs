@@ -109,7 +109,7 @@ pub(super) const MASS_MATRIX_INVERSE: Function = Function {
     outputs: &[Output::new(
         "inverse",
         Shape::SPEED_MATRIX,
-        Unit::Of(&["1/(kg m^2)", "1/(kg m)", "1/kg"]),
+        Unit::MASS_MATRIX_INVERSE,
     )],
     read_off: Some(ReadOff {
         matrix: KnownMatrix::MassInverse,
@@ -133,7 +133,7 @@ pub(super) const MASS_MATRIX_INVERSE_PACKED: Function = Function {
     outputs: &[Output::new(
         "entries",
         Shape::INVERSE_PACKED,
-        Unit::Of(&["1/(kg m^2)", "1/(kg m)", "1/kg"]),
+        Unit::MASS_MATRIX_INVERSE,
     )],
     read_off: Some(ReadOff {
         matrix: KnownMatrix::MassInverse,
@@ -174,11 +174,7 @@ pub(super) const CORIOLIS_MATRIX: Function = Function {
     name: "coriolis_matrix",
     trait_name: Some("CoriolisMatrix"),
     arguments: &[Argument::Q, Argument::U],
-    outputs: &[Output::new(
-        "c",
-        Shape::SPEED_MATRIX,
-        Unit::Of(&["kg m^2/s", "kg m/s", "kg/s"]),
-    )],
+    outputs: &[Output::new("c", Shape::SPEED_MATRIX, Unit::MASS_MATRIX_DOT)],
     beside: Some(Beside {
         matrices: &[
             KnownMatrix::Mass,
@@ -207,7 +203,7 @@ pub(super) const MASS_MATRIX_DOT: Function = Function {
     outputs: &[Output::new(
         "m_dot",
         Shape::SPEED_MATRIX,
-        Unit::Of(&["kg m^2/s", "kg m/s", "kg/s"]),
+        Unit::MASS_MATRIX_DOT,
     )],
     read_off: Some(ReadOff {
         matrix: KnownMatrix::MassDot,

@@ -6,3 +6,4 @@ pub(super) mod parsed;
 pub(super) mod parsed_subject;
 pub(super) mod request_error;
 pub mod syntax;
+mod unknown_frame;

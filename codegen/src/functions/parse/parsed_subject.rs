@@ -3,9 +3,9 @@
 use super::{
     request_error::{RequestError, all_or_faults},
     syntax::Word,
+    unknown_frame,
 };
 use crate::{
-    diagnostic,
     functions::{
         function::Function,
         part::LOCAL,
@@ -89,8 +89,7 @@ impl ParsedSubject {
                 vec![RequestError::UnknownFrame {
                     request: text.to_owned(),
                     name: word.text.clone(),
-                    known: tree.map_or_else(Vec::new, |tree| nearest_first(tree, &word.text)),
-                    jointed: tree.and_then(|tree| jointed_by(tree, &word.text)),
+                    advice: unknown_frame::advice(tree, &word.text),
                     place: word.place.clone(),
                 }]
             })
@@ -98,24 +97,4 @@ impl ParsedSubject {
         let frames = all_or_faults(self.frames.iter().map(found))?;
         Ok(Subject::new(tree, frames, self.view))
     }
-}
-
-/// The body that the joint of this name moves or fixes.
-fn jointed_by(tree: &Tree, joint: &str) -> Option<String> {
-    let moved = tree.bodies.iter().filter(|body| body.joint.is_named);
-    let moved = moved.map(|body| (&body.joint.name, &body.name));
-    let fixed = tree.frames.iter();
-    let fixed = fixed.filter_map(|frame| Some((frame.joint.as_ref()?, &frame.name)));
-    let (_, body) = moved.chain(fixed).find(|(name, _)| *name == joint)?;
-    Some(body.clone())
-}
-
-/// The frames of the model, the nearest name first.
-fn nearest_first(tree: &Tree, name: &str) -> Vec<String> {
-    let frames = tree.named_frames();
-    let mut known: Vec<&str> = frames.map(|frame| tree.frame_name(frame)).collect();
-    let nearest = diagnostic::nearest(name, &known);
-    // False sorts before true, and what is equal keeps its order.
-    known.sort_by_key(|known| (Some(*known) != nearest, !known.contains(name)));
-    known.into_iter().map(str::to_owned).collect()
 }

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use super::syntax::Unexpected;
 use crate::{
-    diagnostic::{Escaped, nearest},
-    functions::names::dictionary::{advice, advice_on_frame, advice_on_variable},
+    diagnostic::Escaped,
+    functions::names::dictionary::{advice, advice_on_variable},
 };
 
 /// Why a function cannot be had.
@@ -111,16 +111,14 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// A frame that the model lacks.
-    #[error("`{}` is no frame of the model; {}", name.escaped(), frames(name, jointed.as_deref(), known))]
+    #[error("`{}` is no frame of the model; {advice}", name.escaped())]
     UnknownFrame {
         /// What was asked for.
         request: String,
         /// The frame.
         name: String,
-        /// The frames that there are, the nearest name first.
-        known: Vec<String>,
-        /// The body that it moves or fixes, where it is a joint.
-        jointed: Option<String>,
+        /// What was probably meant, or which frames there are.
+        advice: String,
         /// Where in the request.
         place: Range<usize>,
     },
@@ -221,53 +219,6 @@ impl RequestError {
 /// The most names that are listed.
 const MOST_LISTED: usize = 20;
 
-/// The most frames that are listed.
-const FEW_FRAMES: usize = 8;
-
-/// What there is instead of a frame.
-fn frames(name: &str, jointed: Option<&str>, known: &[String]) -> String {
-    if let Some(body) = jointed {
-        return format!("it is the joint of body `{}`; ask for that", body.escaped());
-    }
-    if let Some(advice) = advice_on_frame(name) {
-        return advice;
-    }
-    let bare = name.trim_matches('\'');
-    if bare != name && known.iter().any(|known| known == bare) {
-        return "quotes are double, and needed only around names that are not one word".to_owned();
-    }
-    let count = known.len();
-    if count == 0 {
-        return "there are none".to_owned();
-    }
-    if count <= FEW_FRAMES {
-        return format!("there are {}", names(known));
-    }
-    let all: Vec<&str> = known.iter().map(String::as_str).collect();
-    if let Some(near) = nearest(name, &all) {
-        return format!("did you mean `{}`?", near.escaped());
-    }
-    let some: Vec<String> = with_a_word_of(name, known).cloned().collect();
-    let some = if some.is_empty() { known } else { &some[..] };
-    let some = names(&some[..some.len().min(FEW_FRAMES)]);
-    format!("there are {count}, which `kane info MODEL` lists, such as {some}")
-}
-
-/// The names that have a word of another name.
-fn with_a_word_of<'k>(name: &str, known: &'k [String]) -> impl Iterator<Item = &'k String> {
-    let words = |name: &str| -> Vec<String> {
-        let lower = name.to_lowercase();
-        let words = lower.split(|letter: char| !letter.is_alphanumeric());
-        words
-            .filter(|word| word.len() > 1)
-            .map(str::to_owned)
-            .collect()
-    };
-    let own = words(name);
-    let has_one = move |other: &&String| words(other).iter().any(|word| own.contains(word));
-    known.iter().filter(has_one)
-}
-
 /// What to do about a name that is no variable, and how the list of variables begins.
 fn variables(function: &str, name: &str, known: &[String]) -> String {
     let advice = advice_on_variable(function, name, known);
@@ -280,9 +231,11 @@ fn variables(function: &str, name: &str, known: &[String]) -> String {
 }
 
 /// The first of them.
-fn names(known: &[String]) -> String {
+pub(super) fn names<S: AsRef<str>>(known: &[S]) -> String {
     let names = known.iter().take(MOST_LISTED);
-    let names: Vec<String> = names.map(|name| format!("`{}`", name.escaped())).collect();
+    let names: Vec<String> = names
+        .map(|name| format!("`{}`", name.as_ref().escaped()))
+        .collect();
     if names.is_empty() {
         "nothing".to_owned()
     } else {

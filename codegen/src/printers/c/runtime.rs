@@ -4,7 +4,7 @@ use crate::{
     functions::{
         Access, Argument, Declared, Element, FORCE, Length, N_SPEEDS, SPEED, Signature, Unit,
     },
-    listing::{Module, Units},
+    listing::Module,
     words::{
         EULER_LINEARIZED, EULER_STEP, Q_MINUS, Q_PLUS, RK4_LINEARIZED, RK4_STEP, SCALE_QUATERNIONS,
     },
@@ -36,9 +36,6 @@ pub(crate) enum RuntimeKind {
     Linearized(&'static str),
 }
 
-/// Changes of coordinates.
-const DIRECTION: Unit = Unit::BySpeed(["rad", "m"]);
-
 /// Those that can be called with the functions of a module.
 pub(crate) fn of(module: &Module) -> Vec<RuntimeFunction> {
     let functions = module.functions.iter();
@@ -56,7 +53,7 @@ pub(crate) fn of(module: &Module) -> Vec<RuntimeFunction> {
         all.extend([&EULER, &RK4].map(step));
     }
     if has_derivatives {
-        let matrices = matrices(&module.facts.units);
+        let matrices = matrices();
         all.extend([&EULER, &RK4].map(|kind| linearized(kind, &matrices)));
     }
     all
@@ -152,14 +149,9 @@ fn states() -> [Declared; 6] {
 }
 
 /// The matrices of a linearized step, `2 NU` by `2 NU` and `2 NU` by `NU`.
-fn matrices(units: &Units) -> [Declared; 2] {
+fn matrices() -> [Declared; 2] {
     let n_speeds = || N_SPEEDS.to_owned();
-    let given = |unit: Unit| {
-        let units = unit.among(&units.coordinates, &units.speeds);
-        Unit::Derived(units.into_iter().map(str::to_owned).collect())
-    };
-    let [direction, speed, force] =
-        [DIRECTION, Unit::BySpeed(SPEED), Unit::BySpeed(FORCE)].map(given);
+    let [direction, speed, force] = [Unit::DIRECTIONS, Unit::BySpeed(SPEED), Unit::BySpeed(FORCE)];
     let changes = [direction, speed];
     let matrix = |declared, columns: Length, by: &[Unit]| {
         let pairs = changes
@@ -183,7 +175,7 @@ fn matrices(units: &Units) -> [Declared; 2] {
 fn of_directions(declared: Declared) -> Declared {
     Declared {
         lengths: vec![Length::Constant(N_SPEEDS.to_owned())],
-        unit: DIRECTION,
+        unit: Unit::DIRECTIONS,
         ..declared
     }
 }

@@ -63,7 +63,7 @@ pub(super) fn number(number: f64) -> String {
 }
 
 /// One string, or a list of several; null for none.
-pub(super) fn one_or_several(texts: &[&str]) -> String {
+pub(super) fn one_or_several(texts: &[String]) -> String {
     match texts {
         [] => NULL.to_owned(),
         [one] => string(one),

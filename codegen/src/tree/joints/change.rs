@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::{Chart, CoordinateName, Description, Speeds};
-use crate::diagnostic::{Diagnostic, Escaped};
+use crate::diagnostic::{Diagnostic, Escaped, NearNames};
 use crate::tree::changes::Changes;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 use crate::tree::names::{self, joint_name, joint_named, shown};
@@ -19,11 +19,7 @@ pub(crate) fn change(
     findings: &mut Vec<Diagnostic>,
 ) -> Vec<ResolvedJoint> {
     let locked = locked(description, &joints, &changes.lock, findings);
-    let removed: BTreeSet<usize> = changes
-        .remove
-        .iter()
-        .filter_map(|name| removed(description, name, &locked, findings))
-        .collect();
+    let removed = removed(description, &changes.remove, &locked, findings);
     let joints = joints.into_iter().enumerate();
     joints
         .map(|(body, joint)| {
@@ -146,8 +142,9 @@ fn locked(
 ) -> Locked {
     let mut free = lockable(description, joints);
     let mut locked = Locked::new();
+    let mut near = NearNames::default();
     for (name, value) in names {
-        match meant((description, joints), &free, name) {
+        match meant((description, joints), &free, name, &mut near) {
             Ok((body, motion)) => {
                 free.retain(|known| known.motion != (body, motion));
                 locked.insert((body, motion), value + 0.0);
@@ -194,6 +191,7 @@ fn meant(
     (description, joints): (&Description, &[ResolvedJoint]),
     free: &[Lockable],
     name: &str,
+    near: &mut NearNames,
 ) -> Result<(usize, usize), Diagnostic> {
     let mut meant = free.iter().filter(|known| known.name == name);
     let Some(&Lockable { motion, .. }) = meant.next() else {
@@ -207,7 +205,7 @@ fn meant(
             None if is_of_orientation(description, joints, name) => fault.help(
                 "it is part of an orientation, of which no coordinate can be held at a value; `remove` fixes the joint at zero",
             ),
-            None => with_known(fault, name, &known, "the free coordinates"),
+            None => with_known(fault, name, (&known, near), "the free coordinates"),
             Some(body) => {
                 let own = free.iter().filter(|known| known.motion.0 == body);
                 let own: Vec<&str> = own.map(|known| known.name.as_str()).collect();
@@ -235,26 +233,39 @@ fn meant(
     }
 }
 
-/// The body whose joint is removed by this name.
+/// The bodies whose joints are removed by these names.
 fn removed(
     description: &Description,
-    name: &str,
+    names: &[String],
     locked: &Locked,
     findings: &mut Vec<Diagnostic>,
-) -> Option<usize> {
-    let Some(body) = joint_named(description, name) else {
-        let bodies = 0..description.bodies.len();
-        let known = bodies.filter_map(|body| joint_name(description, body));
-        let known: Vec<&str> = known.collect();
-        let fault = format!("`remove` names `{}`; no joint is called so", name.escaped());
-        findings.push(with_known(
-            Diagnostic::error(fault).of_entry(Changes::REMOVE, name),
-            name,
-            &known,
-            "the joints",
-        ));
-        return None;
-    };
+) -> BTreeSet<usize> {
+    let bodies = 0..description.bodies.len();
+    let known = bodies.filter_map(|body| joint_name(description, body));
+    let known: Vec<&str> = known.collect();
+    let mut near = NearNames::default();
+    let mut removed = BTreeSet::new();
+    for name in names {
+        if let Some(body) = joint_named(description, name) {
+            findings.extend(of_removed(description, name, body, locked));
+            removed.insert(body);
+        } else {
+            let fault = format!("`remove` names `{}`; no joint is called so", name.escaped());
+            let fault = Diagnostic::error(fault).of_entry(Changes::REMOVE, name);
+            findings.push(with_known(fault, name, (&known, &mut near), "the joints"));
+        }
+    }
+    removed
+}
+
+/// What is said of a joint that is removed.
+fn of_removed(
+    description: &Description,
+    name: &str,
+    body: usize,
+    locked: &Locked,
+) -> Vec<Diagnostic> {
+    let mut findings = Vec::new();
     let shown = shown(description, body);
     if locked.keys().any(|(of, _)| *of == body) {
         let fault = format!("the joint of {shown} is both locked and removed");
@@ -262,11 +273,16 @@ fn removed(
     }
     let note = format!("the joint of {shown} is removed: it is fixed");
     findings.push(Diagnostic::note(note).one_of("joints are removed: they are fixed", shown));
-    Some(body)
+    findings
 }
 
-fn with_known(fault: Diagnostic, name: &str, known: &[&str], what: &str) -> Diagnostic {
-    match names::meant(name, known, what) {
+fn with_known(
+    fault: Diagnostic,
+    name: &str,
+    (known, near): (&[&str], &mut NearNames),
+    what: &str,
+) -> Diagnostic {
+    match names::meant(name, known, near, what) {
         Some(help) => fault.help(help),
         None => fault,
     }

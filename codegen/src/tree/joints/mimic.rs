@@ -3,12 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::description::{Description, Mimic};
-use crate::diagnostic::{Diagnostic, Escaped, nearest};
+use crate::diagnostic::{Diagnostic, Escaped, NearNames};
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 use crate::tree::names::{by_joints, joint_name, shown};
-
-/// The most unknown joints for which a similar name is looked for, and the most joints among which it is.
-const MOST_COMPARED: (usize, usize) = (20, 5000);
 
 /// The most joints of a cycle that are named behind the first.
 const MOST_TOLD: usize = 8;
@@ -171,8 +168,8 @@ impl<'a> Chains<'a> {
 struct JointNames<'d> {
     /// Of each name the first body whose joint has it.
     places: BTreeMap<&'d str, usize>,
-    /// How many were looked up and are none.
-    n_missing: usize,
+    /// Of names that are none, the one that was meant.
+    near: NearNames,
 }
 
 impl<'d> JointNames<'d> {
@@ -185,19 +182,13 @@ impl<'d> JointNames<'d> {
         }
         Self {
             places,
-            n_missing: 0,
+            near: NearNames::default(),
         }
     }
 
     /// The name that was probably meant by one that is none.
     fn near(&mut self, name: &str) -> Option<&'d str> {
-        self.n_missing += 1;
-        let (most_missing, most_joints) = MOST_COMPARED;
-        if self.n_missing > most_missing || self.places.len() > most_joints {
-            return None;
-        }
-        let known: Vec<&str> = self.places.keys().copied().collect();
-        nearest(name, &known)
+        self.near.nearest(name, self.places.keys().copied())
     }
 }
 

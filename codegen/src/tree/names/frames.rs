@@ -3,12 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::{Carrier, Description};
-use crate::diagnostic::{Diagnostic, Escaped, Spanned, nearest};
+use crate::diagnostic::{Diagnostic, Escaped, NearNames, Spanned};
 use crate::tree::names::lookup::listed;
 use crate::tree::names::rules::check_one;
-
-/// The most names that are looked through for the one that was meant; fewer for each further one that is unknown.
-const MOST_COMPARED: usize = 10_000;
 
 /// Names that are empty, unprintable, or given to another frame or a body too; and bodies that are not there.
 pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnostic>) {
@@ -18,13 +15,11 @@ pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnos
     for (kind, name) in bodies.clone() {
         known.entry(&name.value).or_insert((kind, name));
     }
-    let names: BTreeSet<&str> = bodies
-        .clone()
-        .map(|(_, name)| name.value.as_str())
-        .collect();
+    let written: Vec<&str> = bodies.map(|(_, name)| name.value.as_str()).collect();
+    let names: BTreeSet<&str> = written.iter().copied().collect();
     // A body whose name is missing, or a list that is not there, is the fault then.
-    let all_named = !names.is_empty() && bodies.count() == description.bodies.len();
-    let mut n_unknown = 0;
+    let all_named = !names.is_empty() && written.len() == description.bodies.len();
+    let mut near = NearNames::default();
     for (index, frame) in description.frames.iter().enumerate() {
         check_one(
             frame.name.as_ref(),
@@ -51,40 +46,26 @@ pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnos
             && all_named
             && !names.contains(body.value.as_str())
         {
-            n_unknown += 1;
-            let names: Vec<&str> = written_names(description).collect();
-            // Looking through very many names very often would take too long.
-            let n_compared = names.len().min(MOST_COMPARED / n_unknown);
             let frame = match &frame.name {
                 Some(name) if !name.value.is_empty() => format!("frame `{}`", name.value.escaped()),
                 _ => format!("frame {}", index + 1),
             };
-            findings.push(unknown_body(&frame, body, &names, n_compared));
+            findings.push(unknown_body(&frame, body, &written, &mut near));
         }
     }
 }
 
-/// The names of the bodies, in the order of the file.
-fn written_names(description: &Description) -> impl Iterator<Item = &str> {
-    let names = description
-        .bodies
-        .iter()
-        .filter_map(|body| body.name.as_ref());
-    names.map(|name| name.value.as_str())
-}
-
-/// `n_compared`: of how many names one may have been meant.
 fn unknown_body(
     frame: &str,
     body: &Spanned<String>,
     names: &[&str],
-    n_compared: usize,
+    near: &mut NearNames,
 ) -> Diagnostic {
     let shown = body.value.escaped();
     let fault = Diagnostic::error(format!("{frame} is fixed in `{shown}`, which is no body"));
     let help = if names.is_empty() {
         "without `body` it is fixed in the inertial frame".to_owned()
-    } else if let Some(near) = nearest(&body.value, &names[..n_compared]) {
+    } else if let Some(near) = near.nearest(&body.value, names.iter().copied()) {
         format!("did you mean `{}`?", near.escaped())
     } else {
         let names = listed(names);

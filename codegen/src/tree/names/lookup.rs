@@ -1,7 +1,7 @@
 //! Names that a user gives: the joint that has one, and what to say of one that is none.
 
 use crate::description::{Description, WrittenBody};
-use crate::diagnostic::{Escaped, nearest, shown_name};
+use crate::diagnostic::{Escaped, NearNames, shown_name};
 use crate::tree::names::shown::{by_joints, joint_name};
 
 /// The place in the user's list of the body whose joint has this name, or which has it itself.
@@ -13,12 +13,17 @@ pub(crate) fn joint_named(description: &Description, name: &str) -> Option<usize
 }
 
 /// Which of the known names was probably meant, or which there are: `what` says of what. `None` where there are none.
-pub(crate) fn meant(name: &str, known: &[&str], what: &str) -> Option<String> {
+pub(crate) fn meant(
+    name: &str,
+    known: &[&str],
+    near: &mut NearNames,
+    what: &str,
+) -> Option<String> {
     let mut several = name.split([',', '=']).map(str::trim);
     if name.contains(',') && several.any(|one| known.contains(&one)) {
         return Some("these are several names: give each by itself".to_owned());
     }
-    match nearest(name, known) {
+    match near.nearest(name, known.iter().copied()) {
         Some(near) => Some(format!("did you mean `{}`?", near.escaped())),
         None if known.is_empty() => None,
         None => Some(format!("{what} are {}", listed(known))),
