@@ -111,7 +111,7 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
     let mut file = temporary(folder).map_err(|error| io(error.kind().into()))?;
     file.write_all(text.as_bytes()).map_err(io)?;
     file.as_file().sync_all().map_err(io)?;
-    set_permissions(path, file.path()).map_err(io)?;
+    keep_permissions(path, file.path()).map_err(io)?;
     Ok(staged(Some(file)))
 }
 
@@ -124,6 +124,7 @@ fn folder(path: &Path) -> &Path {
 fn temporary(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     loop {
         let mut builder = tempfile::Builder::new();
+        as_any_other(&mut builder);
         let file = builder.prefix(PREFIX).suffix(SUFFIX).tempfile_in(folder)?;
         // Before it was locked, another process may have swept it away.
         if file.as_file().lock().is_err() || file.path().exists() {
@@ -169,19 +170,24 @@ pub fn read(path: &Path) -> Result<Option<Vec<u8>>, Error> {
     }
 }
 
-/// A temporary file is private to its user; a source file is as readable as the one it replaces, or as any other.
+/// A temporary file is private to its user; a source file is as readable as whoever writes it wants all new files to be.
 #[cfg(unix)]
-fn set_permissions(old: &Path, new: &Path) -> io::Result<()> {
+fn as_any_other(builder: &mut tempfile::Builder<'_, '_>) {
     use std::os::unix::fs::PermissionsExt as _;
 
-    let permissions = match fs::metadata(old) {
-        Ok(metadata) => metadata.permissions(),
-        Err(_) => fs::Permissions::from_mode(0o644),
-    };
-    fs::set_permissions(new, permissions)
+    builder.permissions(fs::Permissions::from_mode(0o666));
 }
 
 #[cfg(not(unix))]
-fn set_permissions(_old: &Path, _new: &Path) -> io::Result<()> {
+fn as_any_other(_builder: &mut tempfile::Builder<'_, '_>) {}
+
+/// A file is as readable as the one that it replaces.
+#[cfg(unix)]
+fn keep_permissions(old: &Path, new: &Path) -> io::Result<()> {
+    fs::metadata(old).map_or(Ok(()), |old| fs::set_permissions(new, old.permissions()))
+}
+
+#[cfg(not(unix))]
+fn keep_permissions(_old: &Path, _new: &Path) -> io::Result<()> {
     Ok(())
 }

@@ -4,13 +4,9 @@ use std::borrow::Cow;
 
 use super::{
     argument::Argument,
-    function::{Function, PRESCRIBED},
-    packed::{ELIMINATION, Packed},
-    part::Part,
     request::Request,
     shape::{Element, Length},
-    unit::Unit,
-    variable::PARAMETER_NAMES,
+    unit::{Unit, in_words},
 };
 
 /// The argument that is prepared once.
@@ -37,8 +33,6 @@ pub struct Signature {
     pub name: String,
     /// Lines of documentation.
     pub doc: Vec<String>,
-    /// The module's tables that these speak of.
-    pub tables: Vec<String>,
     /// The arguments, in order.
     pub arguments: Vec<Declared>,
 }
@@ -76,16 +70,12 @@ impl Signature {
         arguments.filter(move |argument| argument.access == access)
     }
 
-    /// The documentation, and a line for each argument; names of the module's tables with `prefix` before them.
-    pub fn lines(&self, prefix: &str) -> Vec<String> {
-        let arguments = self.arguments.iter().map(Declared::line);
+    /// The documentation, and a line for each argument with its units, of which `units` tells those that the model has.
+    pub fn lines(&self, units: impl Fn(&Unit) -> Vec<String>) -> Vec<String> {
+        let arguments = self.arguments.iter();
+        let arguments = arguments.map(|argument| argument.line(&units(&argument.unit)));
         let lines = self.doc.iter().cloned().chain([String::new()]);
-        let lines = lines.chain(arguments).map(|line| {
-            self.tables.iter().fold(line, |line, table| {
-                line.replace(&format!("`{table}`"), &format!("`{prefix}{table}`"))
-            })
-        });
-        lines.collect()
+        lines.chain(arguments).collect()
     }
 }
 
@@ -111,12 +101,14 @@ impl Declared {
     }
 
     /// What is said of it below the documentation, which says already what is written.
-    fn line(&self) -> String {
+    fn line(&self, units: &[String]) -> String {
         let (name, meaning) = (&self.name, &self.meaning);
-        match (self.access, self.unit.brief().as_str()) {
-            (Access::Written, _) => format!("- `{name}`: is written, whole"),
-            (Access::Read, "") => format!("- `{name}`: {meaning}"),
-            (Access::Read, unit) => format!("- `{name}`: {meaning}, {unit}"),
+        let units = in_words(units);
+        match self.access {
+            Access::Read if units.is_empty() => format!("- `{name}`: {meaning}"),
+            Access::Read => format!("- `{name}`: {meaning}, {units}"),
+            Access::Written if units.is_empty() => format!("- `{name}`: is written, whole"),
+            Access::Written => format!("- `{name}`: is written, whole: {units}"),
         }
     }
 
@@ -154,7 +146,7 @@ impl Request {
         for argument in self.arguments() {
             arguments.push(argument.declared());
             if argument == Argument::Q && self.is_at_sin_cos() {
-                let meaning = "what `sin_cos` writes from this `q`";
+                let meaning = "what the function `sin_cos` writes from this `q`";
                 arguments.push(Declared {
                     unit: Unit::ONE,
                     ..Declared::read(SIN_COS, Element::SinCos, meaning)
@@ -176,31 +168,7 @@ impl Request {
         Signature {
             name: self.name(),
             doc: self.doc(),
-            tables: self.tables(),
             arguments,
         }
-    }
-
-    fn tables(&self) -> Vec<String> {
-        let compact = self.compact().map(Function::blocks_constant);
-        let packed = self.packed();
-        let order = packed.contains(&Packed::Factors);
-        let order = order.then(|| ELIMINATION.to_owned());
-        let packed = packed
-            .iter()
-            .map(|packed| packed.places_constant().to_owned());
-        let of_frames = self
-            .parts()
-            .iter()
-            .filter(|part| part.function.has_frame_speeds());
-        let of_frames = of_frames.map(Part::speeds_constant);
-        let tables = compact.into_iter().chain(packed).chain(order);
-        let prescribed = self.prescribes().then(|| PRESCRIBED.to_owned());
-        let names = self.is_by_parameters();
-        let names = names.then(|| PARAMETER_NAMES.to_owned());
-        let packed = self.parts().iter().filter(|part| part.is_packed());
-        let packed = packed.map(Part::places_constant);
-        let tables = tables.chain(of_frames).chain(packed).chain(prescribed);
-        tables.chain(names).collect()
     }
 }

@@ -86,30 +86,25 @@ impl Unit {
 
     /// In words; empty where none is known, and where entries have none.
     pub fn text(&self) -> String {
-        match self {
-            Self::BySpeed([turn, shift]) => {
-                format!("{turn} for an angle's speed, {shift} for a translation's")
-            }
-            _ => self.brief(),
+        if let Self::BySpeed([turn, shift]) = self {
+            return format!("{turn} for an angle's speed, {shift} for a translation's");
         }
-    }
-
-    /// As [`Self::text`], without saying which entries have which.
-    pub(super) fn brief(&self) -> String {
-        if let Self::ByCoordinate([angle, shift, quaternion]) = self {
-            return format!("{angle} and {shift}; {quaternion} in quaternions");
-        }
-        match &self.all()[..] {
-            [one] if one == "1" => String::new(),
-            [one, other] => format!("{one} and {other}"),
-            all => all.join(", "),
-        }
+        in_words(&self.all())
     }
 
     /// Those of derivatives of the first of these by the second.
     pub(crate) fn quotients<'a>(pairs: impl IntoIterator<Item = (&'a Self, &'a Self)>) -> Self {
         let pairs = pairs.into_iter();
         Self::Quotients(pairs.map(|(of, by)| (of.clone(), by.clone())).collect())
+    }
+}
+
+/// Units in words; empty where there are none.
+pub(super) fn in_words(units: &[String]) -> String {
+    match units {
+        [one] if one == "1" => String::new(),
+        [one, other] => format!("{one} and {other}"),
+        all => all.join(", "),
     }
 }
 

@@ -21,10 +21,10 @@ mod info;
 mod interface;
 #[cfg(unix)]
 mod kills;
-#[cfg(unix)]
-mod links;
 mod manifest;
 mod new;
+#[cfg(unix)]
+mod outputs;
 mod prescribed;
 mod project;
 mod requests;

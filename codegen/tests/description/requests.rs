@@ -43,10 +43,15 @@ fn derivatives_and_products_hold_parts() {
 }
 
 #[test]
-fn a_frame_called_as_the_suffix_is_quoted() {
+fn a_frame_called_as_a_word_of_requests_is_quoted() {
     let sum = read("pose(\"sin_cos\")").unwrap();
     assert!(!sum.at_sin_cos);
     assert_eq!(written("sin_cos"), "\"sin_cos\"");
+    assert_eq!(written("local"), "\"local\"");
+    let text = |text: &str| Parsed::read(text).unwrap().text();
+    let of_frame = "jacobian(tool, \"local\")";
+    assert_eq!(text(of_frame), of_frame);
+    assert_eq!(text("jacobian(tool, local)"), "jacobian(tool, local)");
     assert_eq!(written("a/b c"), "a/b c");
 }
 

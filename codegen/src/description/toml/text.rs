@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::description::{CoordinateName, Given, JointKind, Limits, Mimic, Rotation, Scalar};
-use crate::diagnostic::Spanned;
+use crate::diagnostic::{Spanned, is_unprintable};
 
 /// A table that holds nothing.
 pub(super) const EMPTY: &str = "{}";
@@ -138,10 +138,7 @@ pub fn quoted(text: &str) -> String {
             '\r' => quoted.push_str("\\r"),
             '\t' => quoted.push_str("\\t"),
             // What TOML forbids, and what an editor would not show.
-            _ if character.is_control()
-                || ('\u{2028}'..='\u{202e}').contains(&character)
-                || ('\u{2066}'..='\u{2069}').contains(&character) =>
-            {
+            _ if is_unprintable(character) => {
                 write!(quoted, "\\u{:04X}", u32::from(character)).expect("a string takes any text");
             }
             _ => quoted.push(character),

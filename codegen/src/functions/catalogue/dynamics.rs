@@ -1,6 +1,6 @@
 //! Forces, and what they accelerate.
 
-use super::matrices::{CORIOLIS_MATRIX, MASS_MATRIX, MASS_MATRIX_INVERSE};
+use super::matrices::{CORIOLIS_MATRIX, MASS_MATRIX, MASS_MATRIX_INVERSE, NOTHING_CHECKED};
 use crate::{
     functions::{
         argument::Argument,
@@ -134,7 +134,7 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     inverse_dynamics: Some(roots::dynamics::inverse_dynamics),
     doc: &[
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",
-        "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
+        NOTHING_CHECKED,
     ],
     derivation: Derivation::EitherWay(roots::dynamics::forward_dynamics),
     terms: Terms::OfMatrix,

@@ -1,6 +1,6 @@
 //! Motion and forces of a system on which loads act.
 
-use super::matrices::{CORIOLIS_MATRIX, MASS_MATRIX, MASS_MATRIX_INVERSE};
+use super::matrices::{CORIOLIS_MATRIX, MASS_MATRIX, MASS_MATRIX_INVERSE, NOTHING_CHECKED};
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
@@ -53,7 +53,7 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     doc: &[
         "Forward dynamics under loads: the `u_dot` with `M u_dot + bias = tau` and the loads' generalized forces, Eq. (41), solved along the tree.",
         "Also known as aba with external forces, fext. A load is the resultant force at the mass centre and the resultant moment, body components.",
-        "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
+        NOTHING_CHECKED,
     ],
     derivation: Derivation::EitherWay(roots::loaded::loaded_forward_dynamics),
     terms: Terms::OfMatrix,

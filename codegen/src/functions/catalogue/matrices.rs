@@ -15,6 +15,9 @@ use crate::{
     recursive::{self, Technique},
 };
 
+/// Of functions that divide by pivots.
+pub(super) const NOTHING_CHECKED: &str = "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives. The request `forward_dynamics_pivots` finds that out.";
+
 pub(super) const MASS_MATRIX: Function = Function {
     name: "mass_matrix",
     trait_name: Some("MassMatrix"),
@@ -95,7 +98,7 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     doc: &[
         "The accelerations `u_dot = M^-1 tau` of forces alone: forward dynamics without bias, solved along the tree. No inverse is formed.",
         "For several right-hand sides at once `R` holds several numbers: lanes, one right-hand side each. Also known as solve-M, computeMinverse times a vector.",
-        "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
+        NOTHING_CHECKED,
     ],
     derivation: Derivation::EitherWay(roots::matrices::solution),
     terms: Terms::OfMatrix,
@@ -119,7 +122,7 @@ pub(super) const MASS_MATRIX_INVERSE: Function = Function {
     doc: &[
         "The inverse of the mass matrix of Eq. (42): `u_dot = M^-1 (tau - bias)`, symmetric, every entry written.",
         "From `M = L^T D L` along the tree, or from articulated bodies. Also known as inverse joint-space inertia, Minv, computeMinverse.",
-        "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
+        NOTHING_CHECKED,
     ],
     derivation: Derivation::EitherWay(roots::matrices::inverse),
     terms: Terms::OfMatrix,

@@ -2,13 +2,12 @@
 
 use super::{
     request_error::{RequestError, all_or_faults},
-    syntax::Word,
+    syntax::{LOCAL, Word},
     unknown_frame,
 };
 use crate::{
     functions::{
         function::Function,
-        part::LOCAL,
         subject::{Subject, SubjectFrame, View},
     },
     tree::Tree,

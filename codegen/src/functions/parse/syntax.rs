@@ -20,6 +20,9 @@ use crate::limits;
 /// What stands after a request whose function is given sines and cosines.
 pub const AT_SIN_COS: &str = "(sin_cos)";
 
+/// What stands behind a frame whose own axes are meant; a frame of this name stands in quotes.
+pub const LOCAL: &str = "local";
+
 /// A request.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sum {
@@ -175,6 +178,7 @@ pub fn written(word: &str) -> String {
     let is_plain = !word.is_empty()
         && word.trim() == word
         && !word.contains(is_special)
+        && word != LOCAL
         && format!("({word})") != AT_SIN_COS;
     if is_plain {
         word.to_owned()

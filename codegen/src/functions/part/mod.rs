@@ -18,7 +18,7 @@ use super::{
     derived::Derived,
     formulation::Formulation,
     function::{Function, Output},
-    parse::syntax::written,
+    parse::syntax::{LOCAL, written},
     shape::{Dimension, Shape},
     subject::{Subject, View},
 };
@@ -26,9 +26,6 @@ use crate::{base_parameters, recursive::Plan, tree::Tree};
 
 pub(super) use route::Direct;
 pub use rows::Rows;
-
-/// What stands behind a frame whose own axes are meant.
-pub(super) const LOCAL: &str = "local";
 
 /// A part of a request, on the tree of a model.
 #[derive(Clone, Debug)]
@@ -128,12 +125,6 @@ impl Part {
         let written = written.find(|dimension| self.function.writes(*dimension));
         let length = |subject: &Subject| subject.length(written?);
         self.subject.as_ref().and_then(length).unwrap_or(0)
-    }
-
-    /// True where entries are left out that the tree makes zero.
-    pub(super) fn is_packed(&self) -> bool {
-        let mut outputs = self.outputs().into_owned().into_iter();
-        outputs.any(|output| output.shape == Shape::ENTRIES)
     }
 
     /// True where second derivatives are asked for.

@@ -1,7 +1,7 @@
 //! Units of coordinates, speeds and forces.
 
 use super::joint::Joint;
-use crate::functions::{FORCE, SPEED};
+use crate::functions::{FORCE, SPEED, Unit};
 
 /// Units, each list as long as what it is of.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,5 +37,10 @@ impl Units {
             }
         }
         units
+    }
+
+    /// Those of a unit that the model has.
+    pub(crate) fn among(&self, unit: &Unit) -> Vec<String> {
+        unit.among(&self.coordinates, &self.speeds)
     }
 }

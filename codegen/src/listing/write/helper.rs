@@ -33,7 +33,6 @@ pub(super) fn declared(of: &str, place: usize, helper: &Helper) -> (Vec<Role>, S
     let signature = Signature {
         name: format!("{of}{HELPER_INFIX}{}", place + 1),
         doc: vec![doc],
-        tables: Vec::new(),
         arguments,
     };
     (roles, signature)

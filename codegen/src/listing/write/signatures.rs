@@ -9,7 +9,6 @@ pub(super) fn nominal() -> Signature {
     Signature {
         name: NOMINAL.to_owned(),
         doc: vec!["The model's nominal parameters.".to_owned()],
-        tables: Vec::new(),
         arguments: vec![Declared::written(PARAMETERS, Element::Parameters)],
     }
 }
@@ -20,7 +19,6 @@ pub(super) fn prepare() -> Signature {
     Signature {
         name: PREPARE.to_owned(),
         doc: vec![doc.to_owned()],
-        tables: Vec::new(),
         arguments: vec![
             Declared::read(PARAMETERS, Element::Parameters, "values set at run time"),
             Declared::written(PREPARED, Element::Prepared),
@@ -34,7 +32,6 @@ pub(super) fn sin_cos() -> Signature {
     Signature {
         name: SIN_COS.to_owned(),
         doc: vec![doc.to_owned()],
-        tables: Vec::new(),
         arguments: vec![
             Declared::prepared(),
             Argument::Q.declared(),

@@ -283,7 +283,6 @@ impl<'a> Cut<'a> {
         Signature {
             name: format!("{name}{STAGE_INFIX}{number}"),
             doc: vec![format!("Stage {number} of `{name}`.")],
-            tables: Vec::new(),
             arguments: given.collect(),
         }
     }

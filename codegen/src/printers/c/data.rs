@@ -1,18 +1,21 @@
 //! The module's constants, as constant tables of a header.
 
-use super::text::{once, table};
+use super::{
+    names::Names,
+    text::{once, table},
+};
 use crate::{
     functions::CompactBlock,
     listing::{BaseTerm, Constant, Data, Facts, Frame},
 };
 
 /// The tables, in the order of the module's constants; what is empty is left out.
-pub(super) fn tables(facts: &Facts, prefix: &str) -> Vec<String> {
+pub(super) fn tables(facts: &Facts, prefix: &str, names: &Names) -> Vec<String> {
     let mut constants = facts.all_constants();
     constants.extend(facts.prescribed_constant());
     let mut tables: Vec<String> = constants
         .iter()
-        .filter_map(|constant| of(constant, prefix))
+        .filter_map(|constant| of(constant, prefix, names))
         .collect();
     if !facts.frames.is_empty() {
         tables.insert(0, once("KANE_FRAME", FRAME));
@@ -44,7 +47,7 @@ pub(super) fn include(facts: &Facts) -> Option<String> {
     has_none.then(|| "#include <math.h>\n".to_owned())
 }
 
-fn of(constant: &Constant<'_>, prefix: &str) -> Option<String> {
+fn of(constant: &Constant<'_>, prefix: &str, names: &Names) -> Option<String> {
     let name = constant.name;
     let (declared, entries): (String, Vec<String>) = match &constant.data {
         Data::Texts(length, texts) => (
@@ -88,7 +91,7 @@ fn of(constant: &Constant<'_>, prefix: &str) -> Option<String> {
         }
     };
     let is_truth = matches!(constant.data, Data::Truths(..));
-    let doc = constant.doc.to_owned() + if is_truth { " 1 is true, 0 false." } else { "" };
+    let doc = names.renamed(constant.doc, &[]) + if is_truth { " 1 is true, 0 false." } else { "" };
     (!entries.is_empty()).then(|| table(&doc, &declared, entries.into_iter()))
 }
 

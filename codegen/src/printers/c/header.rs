@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{
     data,
+    names::Names,
     rules::{RULES, SCALARS, scalar_type, symbol},
     runtime,
     text::once,
@@ -27,6 +28,7 @@ pub fn text(module: &Module, name: &str) -> String {
         name,
         prefix: format!("{}_", name.to_uppercase()),
         empty: empty(facts, &signatures),
+        names: Names::of(facts, name, &signatures),
     };
     let guard = format!("KANE_{}H", header.prefix);
     let mut sections = vec![
@@ -38,7 +40,7 @@ pub fn text(module: &Module, name: &str) -> String {
     sections.push(header.input());
     sections.push(header.sizes());
     sections.extend(header.places());
-    sections.extend(data::tables(&module.facts, &header.prefix));
+    sections.extend(data::tables(&module.facts, &header.prefix, &header.names));
     let mut arguments = signatures.iter().flat_map(|one| &one.arguments);
     if arguments.any(|one| one.element == Element::Load) {
         sections.push(once("KANE_LOAD", &loads()));
@@ -72,6 +74,8 @@ struct Header<'a> {
     prefix: String,
     /// The lengths that are zero.
     empty: BTreeSet<&'a str>,
+    /// What its texts speak of.
+    names: Names,
 }
 
 impl Header<'_> {
@@ -108,6 +112,7 @@ impl Header<'_> {
             } else {
                 ""
             };
+            let brief = self.names.renamed(brief, &[]);
             format!(
                 "/// {brief}.{note}\n#define {}{name} {value}\n",
                 self.prefix
@@ -220,7 +225,14 @@ impl Header<'_> {
                 .collect();
             format!("void {}(\n{});\n", name(scalar), arguments.join(",\n"))
         });
-        let doc = comment("///", signature.lines(&self.prefix));
+        let lines = signature
+            .lines(|unit| self.facts.units.among(unit))
+            .into_iter();
+        let arguments = &signature.arguments;
+        let doc = comment(
+            "///",
+            lines.map(|line| self.names.renamed(&line, arguments)),
+        );
         format!("{doc}{double}/// As `{}`.\n{single}", name(SCALARS[0]))
     }
 

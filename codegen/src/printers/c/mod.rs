@@ -4,6 +4,7 @@
 
 mod data;
 mod header;
+mod names;
 pub(super) mod rules;
 pub(super) mod runtime;
 mod text;

@@ -22,6 +22,6 @@ pub(crate) const RULES: [&str; 9] = [
     "The behaviour is undefined where",
     "- a pointer is null, not aligned as its type is, or leads to fewer elements than are declared;",
     "- something is read that holds no value yet, or prepared parameters that `prepare` did not write for the same scalar;",
-    "- something is written to which another argument leads as well.",
+    "- something is written to which another argument leads as well, unless the function allows it.",
     "What is only read may overlap, and what is written may hold anything before.",
 ];

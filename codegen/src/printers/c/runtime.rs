@@ -13,6 +13,11 @@ use crate::{
 /// The trait of what derivatives of steps need.
 const OF_LINEARIZED: &str = "ForwardDynamicsAndDerivatives";
 
+/// What may be written where it is read.
+const Q_IN_PLACE: &str = "`q_after` may lead to the same array as `q`.";
+const STATE_IN_PLACE: &str =
+    "`q_after` may lead to the same array as `q`, and `u_after` to the same as `u`.";
+
 /// A function of the runtime crate.
 pub(crate) struct RuntimeFunction {
     /// How C calls it.
@@ -87,6 +92,7 @@ fn q_plus() -> RuntimeFunction {
     let doc = [
         "Coordinates after unit time at the constant speeds `direction`, beginning at `q`. Quaternions keep their length. Angles with angular velocities as",
         "speeds are singular at `cos(theta_2) = 0`, and none of them changes by more than half a revolution.",
+        Q_IN_PLACE,
     ];
     let direction = Declared::read("direction", Element::Scalar, "speeds times a time");
     let q = Argument::Q.declared();
@@ -111,12 +117,13 @@ fn scale_quaternions() -> RuntimeFunction {
     let q = Argument::Q.declared();
     let after = after(&q);
     let kind = RuntimeKind::ScaleQuaternions;
-    function(SCALE_QUATERNIONS, &[doc], [q, after], kind)
+    function(SCALE_QUATERNIONS, &[doc, Q_IN_PLACE], [q, after], kind)
 }
 
 fn step(kind: &Kind) -> RuntimeFunction {
     let own = RuntimeKind::Step(kind.module);
-    function(kind.step, &[&doc_of_step(kind)], states(), own)
+    let doc = [&doc_of_step(kind), STATE_IN_PLACE];
+    function(kind.step, &doc, states(), own)
 }
 
 fn linearized(kind: &Kind, matrices: &[Declared; 2]) -> RuntimeFunction {
@@ -124,6 +131,7 @@ fn linearized(kind: &Kind, matrices: &[Declared; 2]) -> RuntimeFunction {
         &doc_of_step(kind),
         "Also its derivatives: a change of the state, of `q` before that of `u`, is after the step `a` times that before it and `b` times that of `tau`.",
         "A change of `q` has one entry per speed, along the axes of `u`.",
+        STATE_IN_PLACE,
     ];
     let arguments = states().into_iter().chain(matrices.iter().cloned());
     let own = RuntimeKind::Linearized(kind.module);
@@ -206,7 +214,6 @@ fn function(
     let signature = Signature {
         name: name.to_owned(),
         doc: doc.iter().map(|&line| line.to_owned()).collect(),
-        tables: Vec::new(),
         arguments: [Declared::prepared()].into_iter().chain(own).collect(),
     };
     RuntimeFunction { signature, kind }

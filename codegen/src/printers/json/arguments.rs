@@ -23,8 +23,7 @@ fn argument(facts: &Facts, argument: &Declared) -> String {
     let shape = facts.extent(argument).shape();
     if let Some(lengths) = shape {
         members.push(("shape", list(lengths)));
-        let units = &facts.units;
-        let units = argument.unit.among(&units.coordinates, &units.speeds);
+        let units = facts.units.among(&argument.unit);
         members.push(("unit", one_or_several(&units)));
     }
     members.push(("meaning", string(&argument.meaning)));

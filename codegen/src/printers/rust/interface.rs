@@ -43,11 +43,11 @@ pub(crate) fn source(module: &Module, name: &str) -> String {
     ];
     for signature in own {
         let body = call(signature, name);
-        items.extend(SCALARS.map(|scalar| function(signature, name, scalar, &body)));
+        items.extend(functions(signature, name, &module.facts, &body));
     }
     for RuntimeFunction { signature, kind } in &runtime {
         let body = runtime_call(*kind);
-        items.extend(SCALARS.map(|scalar| function(signature, name, scalar, &body)));
+        items.extend(functions(signature, name, &module.facts, &body));
     }
     text + &printed(items)
 }
@@ -104,14 +104,24 @@ fn input(module: &Module, name: &str) -> Item {
     }
 }
 
-fn function(signature: &Signature, module: &str, scalar: &str, body: &TokenStream) -> Item {
-    let name = |scalar: &str| symbol(module, &signature.name, scalar);
+/// A function for each scalar.
+fn functions(signature: &Signature, name: &str, facts: &Facts, body: &TokenStream) -> [Item; 2] {
+    let [double, single] = SCALARS;
+    let lines = signature.lines(|unit| facts.units.among(unit));
+    let same = format!("As `{}`.", symbol(name, &signature.name, double));
+    [
+        function(signature, (name, double), lines, body),
+        function(signature, (name, single), vec![same], body),
+    ]
+}
+
+fn function(
+    signature: &Signature,
+    (module, scalar): (&str, &str),
+    lines: Vec<String>,
+    body: &TokenStream,
+) -> Item {
     let safety = "As the beginning of this file says.";
-    let lines = if scalar == SCALARS[0] {
-        signature.lines("")
-    } else {
-        vec![format!("As `{}`.", name(SCALARS[0]))]
-    };
     let lines = lines
         .into_iter()
         .chain(["", "# Safety", safety].map(str::to_owned));
@@ -126,7 +136,7 @@ fn function(signature: &Signature, module: &str, scalar: &str, body: &TokenStrea
             Access::Written => quote!(#name: *mut #held),
         }
     });
-    let name = ident(&name(scalar));
+    let name = ident(&symbol(module, &signature.name, scalar));
     parse_quote! {
         #doc
         #allow
