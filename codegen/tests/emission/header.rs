@@ -3,16 +3,24 @@
 use kane_codegen::listing::{Facts, Module};
 use kane_codegen::origin::Origin;
 use kane_codegen::printers::c;
-use kane_codegen::{compile, options::Options};
+use kane_codegen::{
+    compile,
+    functions::ALL,
+    options::{Functions, Options},
+};
 use kane_test_support::models::{build, system};
 
 /// The header of a module of which these facts are others.
 fn header(change: impl FnOnce(&mut Facts)) -> String {
-    let text = system("[0, 1]", &[("one", "[\"theta1\"]"), ("two", "[\"s1\"]")]);
+    header_of("[\"s1\"]", &Options::default(), change)
+}
+
+/// The header of a body that turns, with one that has another joint.
+fn header_of(joint: &str, options: &Options, change: impl FnOnce(&mut Facts)) -> String {
+    let text = system("[0, 1]", &[("one", "[\"theta1\"]"), ("two", joint)]);
     let tree = build(&text).expect("a sound description").tree;
-    let options = Options::default();
-    let compiled = compile::compile(&tree, &options).expect("the default functions");
-    let origin = Origin::new(&tree, "two.toml", &options);
+    let compiled = compile::compile(&tree, options).expect("functions of every system");
+    let origin = Origin::new(&tree, "two.toml", options);
     let mut module = Module::new(&tree, origin, &compiled);
     change(&mut module.facts);
     c::header(&module, "two")
@@ -55,4 +63,39 @@ fn numbers_without_bound_are_huge() {
     let numbers = table.split_once('{').expect("its numbers").1;
     let numbers: Vec<&str> = numbers.split([',', '}']).map(str::trim).collect();
     assert_eq!(numbers[..2], ["-HUGE_VAL", "0.1"]);
+}
+
+#[test]
+fn what_is_written_has_the_units_of_the_model() {
+    let options = Options::default();
+    let lines = |joint| header_of(joint, &options, |_| {});
+    let both = lines("[\"s1\"]");
+    assert!(both.contains("- `u_dot`: is written, whole: rad/s^2 and m/s^2\n"));
+    assert!(both.contains("- `m`: is written, whole: kg m^2, kg m, kg\n"));
+    let turning = lines("[\"theta2\"]");
+    assert!(turning.contains("- `u_dot`: is written, whole: rad/s^2\n"));
+    assert!(turning.contains("- `m`: is written, whole: kg m^2\n"));
+    assert!(turning.contains("- `q`: coordinates, rad\n"));
+}
+
+#[test]
+fn texts_speak_of_names_that_the_header_declares() {
+    let functions = Functions::of([ALL.to_owned(), "bias(sin_cos)".to_owned()]);
+    let options = Options {
+        functions,
+        ..Options::default()
+    };
+    let header = header_of("[\"s1\"]", &options, |_| {});
+    let texts = header.lines().filter(|line| line.starts_with("///"));
+    let mut n_renamed = 0;
+    for piece in texts.flat_map(|line| line.split('`').skip(1).step_by(2)) {
+        n_renamed += usize::from(piece.starts_with("two_") || piece.starts_with("TWO_"));
+        assert!(!header.contains(&format!(" TWO_{piece}[")), "{piece}");
+        assert!(!header.contains(&format!(" TWO_{piece} ")), "{piece}");
+        let is_argument = [format!(" {piece}["), format!("*{piece}")];
+        let is_argument = is_argument.iter().any(|declared| header.contains(declared));
+        let is_function = header.contains(&format!("void two_{piece}_f64("));
+        assert!(is_argument || !is_function, "{piece}");
+    }
+    assert!(n_renamed > 20, "{n_renamed}");
 }

@@ -105,6 +105,7 @@ const RUST_SCALED: &str = r#"
 
 const C_BEGINNING: &str = r#"
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "claw.h"
 
@@ -335,10 +336,11 @@ fn c_program<'a>(
             .unwrap();
             passed.push(format!("{output}_"));
         }
+        let in_place = in_place(name, arguments, outputs, &passed);
         let passed = passed.join(", ");
         writeln!(
             calls,
-            "    {{ {declared}claw_{name}_SCALAR({passed}); {printed}}}"
+            "    {{ {declared}claw_{name}_SCALAR({passed}); {printed}{in_place}}}"
         )
         .unwrap();
     }
@@ -347,4 +349,41 @@ fn c_program<'a>(
     let [double, single] = [("f64", "double"), ("f32", "float")]
         .map(|(scalar, real)| all.replace("SCALAR", scalar).replace("REAL", real));
     [C_BEGINNING, &double, &single, C_MAIN].concat()
+}
+
+/// The same call with what is read at the place of what is written, where a function allows that: the numbers stay.
+fn in_place(
+    name: &str,
+    arguments: &[&str],
+    outputs: &[(&str, Vec<u64>)],
+    passed: &[String],
+) -> String {
+    let mut passed = passed.to_vec();
+    let (mut copied, mut compared) = (String::new(), String::new());
+    for (place, argument) in arguments.iter().enumerate() {
+        let after = format!("{argument}_after");
+        let Some(output) = outputs.iter().position(|(output, _)| *output == after) else {
+            continue;
+        };
+        let own = format!("{argument}_own");
+        write!(
+            copied,
+            "REAL {own}[sizeof {after}_ / sizeof(REAL)]; memcpy({own}, {argument}, sizeof {own}); "
+        )
+        .unwrap();
+        write!(
+            compared,
+            "if (memcmp({own}, {after}_, sizeof {own})) abort(); "
+        )
+        .unwrap();
+        passed[place].clone_from(&own);
+        passed[arguments.len() + output] = own;
+    }
+    if copied.is_empty() {
+        return String::new();
+    }
+    format!(
+        "{copied}claw_{name}_SCALAR({}); {compared}",
+        passed.join(", ")
+    )
 }

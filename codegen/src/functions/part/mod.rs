@@ -19,7 +19,7 @@ use super::{
     formulation::Formulation,
     function::{Function, Output},
     parse::syntax::{LOCAL, written},
-    shape::{Dimension, Shape},
+    shape::Dimension,
     subject::{Subject, View},
 };
 use crate::{base_parameters, recursive::Plan, tree::Tree};
