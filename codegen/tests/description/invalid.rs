@@ -183,6 +183,7 @@ mod urdf_file {
         root_is_no_robot
         rpy_in_words
         rpy_too_long
+        second_parent_missing
         several_faults
         several_roots
         tag_never_ends

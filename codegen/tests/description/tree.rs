@@ -356,6 +356,24 @@ fn changed_names_and_numbers_are_notes() {
 }
 
 #[test]
+fn joint_that_moves_and_is_called_otherwise_is_told() {
+    let bodies = [
+        ("one", "[\"theta1\"]"),
+        ("two", "\"fixed\""),
+        ("three", "[\"s1\"]"),
+    ];
+    let mut text = system("[0, 1, 2]", &bodies);
+    for (body, joint) in [("one", "J"), ("two", "K"), ("three", "j")] {
+        let name = format!("name = \"{body}\"\n");
+        text = text.replace(&name, &format!("{name}joint_name = \"{joint}\"\n"));
+    }
+    let notes = build(&text).unwrap().warnings.to_string();
+    let told = |joint: &str| notes.contains(&format!("note: joint `{joint}` is called"));
+    assert_eq!(["J", "K", "j"].map(told), [true, false, false]);
+    assert!(notes.contains("joint `J` is called `j_2` in generated code"));
+}
+
+#[test]
 fn frames_that_are_identifiers_keep_their_names_wherever_they_stand() {
     let frame = |name: &str| format!("\n[[frame]]\nname = \"{name}\"\nbody = \"arm\"\n");
     let frames = ["grip-L", "o'brien", "grip_l"].map(frame).concat();

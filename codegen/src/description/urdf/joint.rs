@@ -195,8 +195,22 @@ fn limits(
         limits.lower = bound("lower");
         limits.upper = bound("upper");
         warn_of_range(reader, element, &owner);
+    } else if matches!(kind, Some(JointKind::Continuous)) {
+        let ends = ["lower", "upper"].map(|name| reader.optional_number(element, &owner, name));
+        if ends.iter().any(Option::is_some) {
+            warn_of_ends(reader, element, words);
+        }
     }
     PerCoordinate::Same(Spanned::new(limits, element.span()))
+}
+
+/// A continuous joint has no range.
+fn warn_of_ends(reader: &mut Reader, element: Element<'_>, words: &str) {
+    let message = format!("`lower` and `upper` of {words} are left out: the joint is continuous");
+    let warning = Diagnostic::warning(message)
+        .at(element.span(), "a joint with a range is `revolute`")
+        .one_of("ranges of continuous joints are left out", words);
+    reader.faults.push(warning);
 }
 
 /// Limits of joints that move along or about several axes are left out.

@@ -137,14 +137,14 @@ impl<'d> Ends<'d> {
 }
 
 fn two_parents(first: &JointElement<'_>, second: &JointElement<'_>) -> Diagnostic {
-    let name = |name: Option<Spanned<&str>>| shown(name.map_or("", |name| name.value));
+    let link = shown(second.child.map_or("", |name| name.value));
+    let parent = |joint: &JointElement<'_>| match joint.parent {
+        Some(name) => format!("`{}` by {}", shown(name.value), joint.words),
+        None => format!("that of {}", joint.words),
+    };
+    let [first_parent, second_parent] = [first, second].map(parent);
     let fault = Diagnostic::error(format!(
-        "link `{}` has two parents, `{}` by {} and `{}` by {}; expected one",
-        name(second.child),
-        name(first.parent),
-        first.words,
-        name(second.parent),
-        second.words
+        "link `{link}` has two parents, {first_parent} and {second_parent}; expected one"
     ));
     let fault = fault.help(
         "closed loops are not supported: leave one of the joints out, and close the loop where the module is called",

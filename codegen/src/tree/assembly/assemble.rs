@@ -55,6 +55,7 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
         marker.frame(own, standing, &values.parameters, settled.snap)
     });
     let markers = markers.collect();
+    names::note_joints(description, &moving, settled.joints, findings);
     note_moved(description, &moving, findings);
     note_merged(&frames, &bodies, findings);
     let tree = Tree {

@@ -9,7 +9,7 @@ use crate::description::{Chart, CoordinateName, Description, Speeds};
 use crate::diagnostic::{Diagnostic, Escaped, NearNames};
 use crate::tree::changes::Changes;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
-use crate::tree::names::{self, joint_name, joint_named, shown};
+use crate::tree::names::{self, joint_name, joint_named, shown, shown_joint};
 
 /// The joints with what the user locks and removes held.
 pub(crate) fn change(
@@ -266,12 +266,12 @@ fn of_removed(
     locked: &Locked,
 ) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
-    let shown = shown(description, body);
+    let shown = shown_joint(description, body);
     if locked.keys().any(|(of, _)| *of == body) {
-        let fault = format!("the joint of {shown} is both locked and removed");
+        let fault = format!("{shown} is both locked and removed");
         findings.push(Diagnostic::error(fault).of_entry(Changes::REMOVE, name));
     }
-    let note = format!("the joint of {shown} is removed: it is fixed");
+    let note = format!("{shown} is removed: it is fixed");
     findings.push(Diagnostic::note(note).one_of("joints are removed: they are fixed", shown));
     findings
 }

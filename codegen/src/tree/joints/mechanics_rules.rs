@@ -50,7 +50,7 @@ pub(super) fn mechanics(
 
 struct Check<'a> {
     joint: &'a ResolvedJoint,
-    /// The body, as messages have it.
+    /// The joint, or its body, as messages have it.
     name: &'a str,
     /// The joint, as lists of names have it.
     called: &'a str,
@@ -99,7 +99,7 @@ impl Check<'_> {
                 ];
                 for (key, span) in given {
                     let Some(span) = span else { continue };
-                    let fault = format!("`{key}` of {name} is given, but its joint is fixed");
+                    let fault = format!("`{key}` of {name} is given, but the joint is fixed");
                     refuse(span, fault, &format!("leave `{key}` out"));
                 }
             }
@@ -109,7 +109,7 @@ impl Check<'_> {
                     for (key, limit) in [("lower", lower), ("upper", upper)] {
                         let Some(limit) = limit else { continue };
                         let fault =
-                            format!("`limits` of {name} has `{key}`, but its joint is continuous");
+                            format!("`limits` of {name} has `{key}`, but the joint is continuous");
                         refuse(limit.span, fault, "a joint with such limits is `revolute`");
                     }
                 }
@@ -127,7 +127,7 @@ impl Check<'_> {
             let (name, kind) = (self.name, coordinate.value.name());
             if self.has_axis {
                 let message = format!(
-                    "`{quantity}` of {name} names `{kind}`, but its joint has an axis of its own"
+                    "`{quantity}` of {name} names `{kind}`, but the joint has an axis of its own"
                 );
                 self.fault(message, coordinate.span, "expected one value for the joint");
             } else if matches!(

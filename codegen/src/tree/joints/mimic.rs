@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::description::{Description, Mimic};
 use crate::diagnostic::{Diagnostic, Escaped, NearNames};
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
-use crate::tree::names::{by_joints, joint_name, shown};
+use crate::tree::names::{by_joints, joint_name, shown_joint};
 
 /// The most joints of a cycle that are named behind the first.
 const MOST_TOLD: usize = 8;
@@ -218,17 +218,16 @@ fn link(
     if joints[body].is_fixed() {
         return None;
     }
-    let name = shown(description, body);
+    let name = shown_joint(description, body);
     let Some(motion) = joints[body].leading else {
-        let fault =
-            format!("the joint of {name} mimics another, but has more than one free coordinate");
+        let fault = format!("{name} mimics another, but has more than one free coordinate");
         findings
             .push(Diagnostic::error(fault).at(mimic.span, "one coordinate can follow one other"));
         return None;
     };
     let Some(&leader) = names.places.get(joint.value.as_str()) else {
         let fault = format!(
-            "the joint of {name} mimics `{}`, which is no joint",
+            "{name} mimics `{}`, which is no joint",
             joint.value.escaped()
         );
         let fault = Diagnostic::error(fault).at(joint.span, "unknown joint");
@@ -246,10 +245,7 @@ fn link(
         } else {
             "more than one coordinate"
         };
-        let fault = format!(
-            "the joint of {name} mimics `{}`, which has {has}",
-            joint.value.escaped()
-        );
+        let fault = format!("{name} mimics `{}`, which has {has}", joint.value.escaped());
         findings.push(
             Diagnostic::error(fault).at(joint.span, "expected a joint with one free coordinate"),
         );
@@ -265,10 +261,9 @@ fn link(
 
 /// A joint that follows another by numbers that do not fit.
 fn too_large(description: &Description, body: usize) -> Diagnostic {
-    let name = shown(description, body);
-    let fault = format!(
-        "the joint of {name} follows another by numbers whose products do not fit a 64-bit float"
-    );
+    let name = shown_joint(description, body);
+    let fault =
+        format!("{name} follows another by numbers whose products do not fit a 64-bit float");
     let fault = Diagnostic::error(fault);
     match &description.bodies[body].joint.mimic {
         Some(mimic) => fault.at(mimic.span, "expected smaller numbers"),

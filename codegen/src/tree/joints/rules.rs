@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Escaped, Span};
 use crate::tree::changes::Changes;
 use crate::tree::joints::mechanics_rules::mechanics;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
-use crate::tree::names::shown;
+use crate::tree::names::{shown, shown_by_joint};
 
 /// |cos(theta2)| below which theta1 and theta3 turn about one axis.
 const SINGULAR: f64 = 1e-9;
@@ -23,7 +23,7 @@ pub(crate) fn check(
     names_twice(description, findings);
     for (index, (body, joint)) in description.bodies.iter().zip(joints).enumerate() {
         let Some(joint) = joint else { continue };
-        let name = shown(description, index);
+        let name = shown_by_joint(description, index);
         locked(body, joint, &name, findings);
         orientation(body, joint, &name, findings);
         mechanics(body, joint, &name, findings);
@@ -98,7 +98,7 @@ fn locked(body: &WrittenBody, joint: &ResolvedJoint, name: &str, findings: &mut 
     for (locked, _) in &body.joint.locked {
         if kind.value.has_axis() {
             let fault = format!(
-                "`locked` of {name} holds `{}`, but its joint is about or along an axis of its own",
+                "`locked` of {name} holds `{}`, but the joint is about or along an axis of its own",
                 locked.value.name()
             );
             let help = "give the joint as a list of free coordinates, or turn its frames by constant rotations";
@@ -109,7 +109,7 @@ fn locked(body: &WrittenBody, joint: &ResolvedJoint, name: &str, findings: &mut 
             );
         } else if let Freedom::Free(free) = joint.motions[locked.value.index()] {
             let fault = format!(
-                "`locked` of {name} holds `{}`, which its joint leaves free",
+                "`locked` of {name} holds `{}`, which the joint leaves free",
                 locked.value.name()
             );
             findings.push(

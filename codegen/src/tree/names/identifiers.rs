@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::Description;
 use crate::diagnostic::{Diagnostic, Escaped, Spanned};
+use crate::tree::joints::ResolvedJoint;
 use crate::words::is_rust_keyword;
 
 /// The identifiers of bodies with these names, and for those that had to change a note.
@@ -31,6 +32,22 @@ pub(crate) fn frame_identifiers(
     let plural = "frames have other names in generated code";
     note_changed(["frame", plural], names, &identifiers, findings);
     identifiers
+}
+
+/// Notes of joints with names of their own that are called otherwise; `moving` are the places of their bodies in the user's list.
+pub(crate) fn note_joints(
+    description: &Description,
+    moving: &[usize],
+    joints: &[ResolvedJoint],
+    findings: &mut Vec<Diagnostic>,
+) {
+    let named = moving.iter().filter_map(|&place| {
+        let name = description.bodies[place].joint.name.as_ref()?;
+        Some((name, joints[place].identifier.clone()))
+    });
+    let (names, identifiers): (Vec<_>, Vec<_>) = named.unzip();
+    let plural = "joints have other names in generated code";
+    note_changed(["joint", plural], &names, &identifiers, findings);
 }
 
 /// An identifier for each name, none of those that are taken. A name that is an identifier keeps it, wherever it stands in the list.

@@ -15,6 +15,22 @@ pub(crate) fn shown(description: &Description, body: usize) -> String {
     }
 }
 
+/// "joint `elbow`" where it has a name of its own, or the body.
+pub(crate) fn shown_by_joint(description: &Description, body: usize) -> String {
+    named_joint(description, body).unwrap_or_else(|| shown(description, body))
+}
+
+/// "joint `elbow`" where it has a name of its own, or "the joint of body `forearm`".
+pub(crate) fn shown_joint(description: &Description, body: usize) -> String {
+    let of_body = || format!("the joint of {}", shown(description, body));
+    named_joint(description, body).unwrap_or_else(of_body)
+}
+
+fn named_joint(description: &Description, body: usize) -> Option<String> {
+    let name = description.bodies.get(body)?.joint.name.as_ref()?;
+    Some(format!("joint `{}`", name.value.escaped()))
+}
+
 /// The name of a joint as written: its own, or its body's.
 pub(crate) fn joint_name(description: &Description, body: usize) -> Option<&str> {
     let body = description.bodies.get(body)?;

@@ -10,7 +10,7 @@ use kane_codegen::description::{
     Base, Chart, Description, JointKind, Limits, Mimic, PerCoordinate, Reading, Rotation, Scalar,
     WrittenBody, WrittenJoint, read, urdf,
 };
-use kane_codegen::diagnostic::{Severity, Source, Spanned};
+use kane_codegen::diagnostic::{Diagnostic, Severity, Source, Spanned};
 use kane_test_support::compare::{Tolerance, assert_close};
 
 /// A robot of links without inertia: its joints are `(name, type, parent, child, inside)`.
@@ -46,16 +46,15 @@ fn parse(text: &str, reading: &Reading) -> Description {
 /// Reads a robot in which nothing is wrong, and of which there is nothing to say but that it has no gravity.
 fn parse_well(text: &str, reading: &Reading) -> Description {
     let description = parse(text, reading);
-    let shown: Vec<&str> = description
-        .faults
-        .iter()
-        .map(|fault| fault.message.as_str())
-        .collect();
-    assert_eq!(
-        shown,
-        ["a URDF has no gravity: it is taken as (0, 0, -9.81) m/s^2"]
-    );
+    assert_eq!(told(&description), [NO_GRAVITY]);
     description
+}
+
+const NO_GRAVITY: &str = "a URDF has no gravity: it is taken as (0, 0, -9.81) m/s^2";
+
+fn told(description: &Description) -> Vec<&str> {
+    let faults = description.faults.iter();
+    faults.map(|fault| fault.message.as_str()).collect()
 }
 
 /// The one joint of a robot, with this type and these elements.
@@ -362,9 +361,9 @@ fn limits_are_kept() {
     let all = Some([Some(-1.0), Some(2.0), Some(4.0), Some(30.0)]);
     assert_eq!(limits(&joint("revolute", limit)), all);
     assert_eq!(limits(&joint("prismatic", limit)), all);
-    // A continuous joint has no range, whatever is written.
-    let endless = Some([None, None, Some(4.0), Some(30.0)]);
-    assert_eq!(limits(&joint("continuous", limit)), endless);
+    let endless = "<limit effort='30' velocity='4'/>";
+    let limits_of = limits(&joint("continuous", endless));
+    assert_eq!(limits_of, Some([None, None, Some(4.0), Some(30.0)]));
     assert_eq!(limits(&joint("continuous", "")), None);
     assert_eq!(limits(&joint("fixed", limit)), None);
     // One end of a range alone: the other is zero.
@@ -373,6 +372,20 @@ fn limits_are_kept() {
         limits(&half),
         Some([Some(0.0), Some(2.0), Some(4.0), Some(30.0)])
     );
+}
+
+#[test]
+fn range_of_a_continuous_joint_is_left_out_and_that_is_told() {
+    let limit = "<limit lower='-1' upper='2' effort='30' velocity='4'/>";
+    let text = |limit| robot(&[("j", "continuous", "a", "b", limit)]);
+    let description = parse(&text(limit), &Reading::default());
+    let warning = "`lower` and `upper` of joint `j` are left out: the joint is continuous";
+    assert_eq!(told(&description), [NO_GRAVITY, warning]);
+    let read = limits(&description.bodies[1].joint);
+    assert_eq!(read, Some([None, None, Some(4.0), Some(30.0)]));
+    let unreadable = limit.replace("-1", "abc");
+    let faults = parse(&text(&unreadable), &Reading::default()).faults;
+    assert!(faults.iter().any(Diagnostic::is_error));
 }
 
 #[test]
