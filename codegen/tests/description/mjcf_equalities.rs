@@ -120,7 +120,7 @@ fn second_equality_of_a_joint_ties_the_other_one() {
     let model = parse(&held, &[]);
     assert_eq!(
         errors(&model),
-        ["a joint equality ties joint `b`, which is tied already"]
+        ["a joint equality ties joint `b`, which another one ties already"]
     );
 }
 

@@ -21,7 +21,7 @@ pub(crate) struct Voice {
     )]
     verbose: bool,
 
-    /// Print neither notes nor warnings
+    /// Print neither notes nor warnings; beside an error, what may explain it
     #[arg(long, short, global = true, display_order = 901)]
     quiet: bool,
 }

@@ -42,7 +42,10 @@ fn left_out(reader: &mut Reader, section: Element<'_>, message: &str) {
 fn refuse_coefficients(reader: &mut Reader, given: &Attributes<'_>, names: &[&str]) {
     for (name, bad) in coefficients(reader, given, names) {
         let fault = Diagnostic::error(not_supported(given, name, bad));
-        reader.faults.push(fault.at(bad.span, "expected 0"));
+        let fault = fault.at(bad.span, "expected 0");
+        reader.faults.push(fault.help(format!(
+            "write `{name}` at the joint on which it acts, in the joint's units"
+        )));
     }
 }
 

@@ -247,7 +247,7 @@ impl Reader<'_> {
         else {
             return numbers(&lengths);
         };
-        if *dimension == Dimension::Three {
+        if *dimension == Dimension::Three || lengths == [1] {
             return numbers(&lengths);
         }
         let of = match (inner, argument.element()) {

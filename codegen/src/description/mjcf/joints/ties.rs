@@ -181,11 +181,12 @@ impl Equation {
 fn twice(first: &Equation, second: &Equation) -> Diagnostic {
     let name = shown(&second.joint.value);
     let message = format!(
-        "{} ties joint `{name}`, which is tied already",
+        "{} ties joint `{name}`, which another one ties already",
         second.owner
     );
     let fault = Diagnostic::error(message).at(second.span, "the second one");
-    fault.at(first.span, "the first one")
+    let fault = fault.at(first.span, "the first one");
+    fault.help("a joint can follow one other: delete one of the two, or give it a `name` and leave it out with `--leave-out NAME`")
 }
 
 /// The equation solved for the joint that leads.
