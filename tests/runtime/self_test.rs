@@ -2,7 +2,7 @@
 
 use kane::self_test::{
     bias_follows_the_mass_matrix, forward_undoes_inverse, has_values, inverse_dynamics_is_linear,
-    mass_matrix_is_positive_definite, power_is_the_rate_of_energy,
+    mass_matrix_is_positive_definite, power_is_the_rate_of_energy, weight,
 };
 
 use crate::common::{CartPole, Faulty, Wrong};
@@ -32,6 +32,24 @@ fn values_too_many_and_too_few_are_told() {
     assert!(has_values("two", &[1.0, 1.0], 1, &[(1.0, 0.0)]).is_err());
     assert!(has_values("two", &[1.0], 1, &[(1.0, 0.0); 2]).is_err());
     assert!(has_values("none", &[], 1, &[]).is_ok());
+}
+
+#[test]
+fn two_entries_of_a_sum_that_are_exchanged_are_told() {
+    let entries: Vec<f64> = (0..200).map(f64::from).collect();
+    let sum = |entries: &[f64]| -> f64 {
+        let terms = entries.iter().enumerate();
+        terms.map(|(place, entry)| weight(place) * entry).sum()
+    };
+    let expected = [(sum(&entries), 1e-9)];
+    assert!(has_values("sum", &entries, 200, &expected).is_ok());
+    for first in 0..200 {
+        for second in 0..first {
+            let mut exchanged = entries.clone();
+            exchanged.swap(first, second);
+            assert!(has_values("sum", &exchanged, 200, &expected).is_err());
+        }
+    }
 }
 
 #[test]
