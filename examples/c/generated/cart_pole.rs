@@ -38,15 +38,7 @@ pub const SPEED_NAMES: [&str; NU] = ["cart_s1_dot", "pole_theta2_dot"];
 pub const SPEED_BODIES: [usize; NU] = [0, 1];
 
 /// Each body's joint: the places of its coordinates and speeds.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const JOINTS: [kane::Joint; NB] = [
     kane::Joint {
         name: "cart",
@@ -63,75 +55,27 @@ pub const JOINTS: [kane::Joint; NB] = [
 ];
 
 /// Frames of the model's bodies that are fixed to others, and part of them.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const FRAMES: [kane::Frame; 0] = [];
 
 /// The least value of each coordinate, rad, m: data only.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const LOWER_LIMITS: [f64; NQ] = [f64::NEG_INFINITY; NQ];
 
 /// The greatest value of each coordinate, rad, m: data only.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const UPPER_LIMITS: [f64; NQ] = [f64::INFINITY; NQ];
 
 /// The greatest magnitude of each speed, rad/s, m/s: data only.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const VELOCITY_LIMITS: [f64; NU] = [f64::INFINITY; NU];
 
 /// The greatest magnitude of each generalized force, N m, N: data only.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const EFFORT_LIMITS: [f64; NU] = [f64::INFINITY; NU];
 
 /// Coulomb friction along each speed, N m, N: data only, no part of any function.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const FRICTION: [f64; NU] = [0.0; NU];
 
 /// Hash of the model: of every name, number, joint and place in it after all changes, whatever is generated from it.
@@ -159,15 +103,7 @@ pub struct Parameters<R> {
     pub pole_mass: R,
 }
 
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 impl<R: kane::Real> Default for Parameters<R> {
     fn default() -> Self {
         Self {

@@ -62,15 +62,7 @@ pub const SPEED_NAMES: [&str; NU] = [
 pub const SPEED_BODIES: [usize; NU] = [0, 1, 2, 3, 4, 5, 6];
 
 /// Each body's joint: the places of its coordinates and speeds.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const JOINTS: [kane::Joint; NB] = [
     kane::Joint {
         name: "panda_joint1",
@@ -117,15 +109,7 @@ pub const JOINTS: [kane::Joint; NB] = [
 ];
 
 /// Frames of the model's bodies that are fixed to others, and part of them.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const FRAMES: [kane::Frame; 6] = [
     kane::Frame {
         name: "panda_link0",
@@ -182,15 +166,7 @@ pub const FRAMES: [kane::Frame; 6] = [
 ];
 
 /// The least value of each coordinate, rad, m: data only.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const LOWER_LIMITS: [f64; NQ] = [
     -2.8973,
     -1.7628,
@@ -202,15 +178,7 @@ pub const LOWER_LIMITS: [f64; NQ] = [
 ];
 
 /// The greatest value of each coordinate, rad, m: data only.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const UPPER_LIMITS: [f64; NQ] = [
     2.8973,
     1.7628,
@@ -222,39 +190,15 @@ pub const UPPER_LIMITS: [f64; NQ] = [
 ];
 
 /// The greatest magnitude of each speed, rad/s, m/s: data only.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const VELOCITY_LIMITS: [f64; NU] = [2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61];
 
 /// The greatest magnitude of each generalized force, N m, N: data only.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const EFFORT_LIMITS: [f64; NU] = [87.0, 87.0, 87.0, 87.0, 12.0, 12.0, 12.0];
 
 /// Coulomb friction along each speed, N m, N: data only, no part of any function.
-#[allow(
-    dead_code,
-    unused_variables,
-    clippy::approx_constant,
-    clippy::many_single_char_names,
-    clippy::needless_late_init,
-    clippy::too_many_arguments,
-    reason = "generated: arguments follow one pattern, numbers are the model's"
-)]
+#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")]
 pub const FRICTION: [f64; NU] = [0.0; NU];
 
 /// Hash of the model: of every name, number, joint and place in it after all changes, whatever is generated from it.

@@ -6,7 +6,7 @@ use syn::{Item, parse_quote};
 
 use super::{
     syntax,
-    text::{allow_generated, allow_unused, doc, ident},
+    text::{allow_numbers, allow_unused, doc, ident},
 };
 use crate::{
     functions::{CompactBlock, PREPARE, PREPARED_NEW},
@@ -23,7 +23,7 @@ fn item(constant: &Constant<'_>) -> Item {
     let (name, doc) = (ident(constant.name), doc([constant.doc]));
     let allow = match constant.data {
         Data::Numbers(..) | Data::Joints(..) | Data::Frames(_) | Data::Terms(_) => {
-            allow_generated()
+            allow_numbers()
         }
         _ => allow_unused(),
     };

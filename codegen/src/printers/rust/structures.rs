@@ -8,7 +8,7 @@ use syn::{Expr, Item, parse_quote};
 use super::{
     expression::Writer,
     statements,
-    text::{allow_generated, allow_unused, doc, ident},
+    text::{allow_generated, allow_numbers, allow_unused, doc, ident},
 };
 use crate::{
     functions::N_PARAMETERS,
@@ -51,7 +51,7 @@ pub(super) fn parameters(module: &Module) -> Vec<Item> {
     let writer = Writer::new(&module.facts, &module.nominal);
     let values = fields(&module.nominal.code);
     let values = values.into_values().map(|value| writer.expression(value));
-    let allow_numbers = allow_generated();
+    let allow_numbers = allow_numbers();
     let mut items = vec![
         parse_quote! {
             /// Values set at run time; the default is the model's nominal values.

@@ -80,6 +80,11 @@ pub(super) fn allow_unused() -> TokenStream {
     quote!(#[allow(dead_code, reason = "a program calls what it needs")])
 }
 
+/// The same of data.
+pub(super) fn allow_numbers() -> TokenStream {
+    quote!(#[allow(dead_code, clippy::approx_constant, reason = "numbers are the model's")])
+}
+
 /// What code allows, and why: arguments follow one pattern, whether used or not, and numbers are the model's.
 pub(super) fn allow_generated() -> TokenStream {
     quote! {
