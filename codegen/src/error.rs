@@ -105,7 +105,7 @@ pub enum Error {
     NoBuildScript,
     /// The numbers of a description make a value that f64 does not hold.
     #[error(
-        "the numbers of the description are too large or too small: `{what}` needs one that f64 does not hold"
+        "the numbers of the description are too large or too small, or masses add up to zero: `{what}` needs a number that f64 does not hold"
     )]
     Unrepresentable {
         /// The function, or the table, in which it appeared.

@@ -35,7 +35,7 @@ pub trait BaseParameters<R: Real>: System<R> {
 /// [`InverseDynamics`](super::InverseDynamics) is the sum of `y pi` over all bodies and parameters, plus the forces of springs, dampers
 /// and rotors. Ten parameters per body, including all that is fixed to it: `m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`,
 /// `I_xz`, `I_yz`, `I_zz`, about the body's origin, body components, kg, kg m, kg m²; `I_xy` is the tensor's component. The model's
-/// own values are not read. An entry times its parameter is a generalized force, N m or N. Often called the joint torque regressor, or identification matrix.
+/// own values do not matter. An entry times its parameter is a generalized force, N m or N. Often called the joint torque regressor, or identification matrix.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `regressor`; name it in `functions`, alone and not in a sum, and generate again"
 )]

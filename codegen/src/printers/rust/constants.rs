@@ -22,9 +22,7 @@ pub(super) fn items(constants: &[Constant<'_>]) -> Vec<Item> {
 fn item(constant: &Constant<'_>) -> Item {
     let (name, doc) = (ident(constant.name), doc([constant.doc]));
     let allow = match constant.data {
-        Data::Numbers(..) | Data::Joints(..) | Data::Frames(_) | Data::Terms(_) => {
-            allow_numbers()
-        }
+        Data::Numbers(..) | Data::Joints(..) | Data::Frames(_) | Data::Terms(_) => allow_numbers(),
         _ => allow_unused(),
     };
     let (held, value) = held(&constant.data);

@@ -1,5 +1,7 @@
 //! Frames that only mark places: in which body each is, and where there.
 
+use std::collections::BTreeMap;
+
 use crate::description::{Carrier, Description, WrittenFrame};
 use crate::diagnostic::Diagnostic;
 use crate::geometry;
@@ -44,17 +46,16 @@ pub(super) fn markers(
             name: name.value.clone(),
             identifier,
         });
+    let places = outward.places.iter().enumerate();
+    let places = places.filter_map(|(place, &body)| {
+        let name = description.bodies[body].name.as_ref()?;
+        Some((&name.value, place))
+    });
+    let places: BTreeMap<&String, usize> = places.collect();
     let marker = |(frame, name): (&WrittenFrame, FrameName)| {
         let carrier = match &frame.body {
             Carrier::Inertial => None,
-            Carrier::Body(name) => {
-                let name = name.as_ref()?;
-                let is_named = |place: &usize| {
-                    let body = description.bodies[*place].name.as_ref();
-                    body.is_some_and(|body| body.value == name.value)
-                };
-                Some(outward.places.iter().position(is_named)?)
-            }
+            Carrier::Body(name) => Some(*places.get(&name.as_ref()?.value)?),
         };
         Some(Marker {
             name,
