@@ -72,11 +72,9 @@ fn begun<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
 /// Insertions, deletions, replacements and swaps of neighbours that lead from one word to the other.
 fn edits(from: &[char], to: &[char]) -> usize {
     let width = to.len() + 1;
-    let mut table: Vec<usize> = vec![0; (from.len() + 1) * width];
     let at = |i: usize, j: usize| i * width + j;
-    for j in 0..width {
-        table[j] = j;
-    }
+    let mut table: Vec<usize> = (0..width).collect();
+    table.resize((from.len() + 1) * width, 0);
     for i in 1..=from.len() {
         table[at(i, 0)] = i;
         for j in 1..=to.len() {
