@@ -95,7 +95,7 @@ pub fn has_values(
 /// The weight of an entry in a sum: never zero, and different for any two of a thousand, so that two entries that are exchanged show.
 #[must_use]
 pub fn weight(place: usize) -> f64 {
-    // The length of the row is prime.
+    // 1021 is prime, so multiples of 397 have all remainders.
     (1 + place % 1021 * 397 % 1021) as f64 / 1024.0
 }
 

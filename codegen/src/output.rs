@@ -109,9 +109,10 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
     fs::create_dir_all(folder).map_err(io)?;
     // What is there for a moment only has a name that says nothing to the user.
     let mut file = temporary(folder).map_err(|error| io(error.kind().into()))?;
+    // Before anything is in it that others may not read.
+    keep_permissions(path, file.path()).map_err(io)?;
     file.write_all(text.as_bytes()).map_err(io)?;
     file.as_file().sync_all().map_err(io)?;
-    keep_permissions(path, file.path()).map_err(io)?;
     Ok(staged(Some(file)))
 }
 

@@ -6,12 +6,12 @@ const LONGEST: usize = 100;
 /// Letters of the shortest word that tells with which name it begins.
 const SHORTEST: usize = 3;
 
-/// The most names that words of one list are compared with, all together.
-const MOST_COMPARED: usize = 200_000;
+/// What is compared for all words of a list together: letters of a word times letters of a candidate.
+const MOST_COMPARED: usize = 20_000_000;
 
-/// Looks for names that are near until that would take too long: a list may have thousands of unknown names.
+/// Looks for names that are near until that has taken too long: a list may have thousands of unknown names.
 #[derive(Debug)]
-pub(crate) struct NearNames {
+pub struct NearNames {
     n_left: usize,
 }
 
@@ -25,15 +25,23 @@ impl Default for NearNames {
 
 impl NearNames {
     /// The [`nearest`]; `None` from where that takes too long.
-    pub(crate) fn nearest<'a>(
+    pub fn nearest<'a>(
         &mut self,
         word: &str,
-        candidates: impl ExactSizeIterator<Item = &'a str>,
+        candidates: impl IntoIterator<Item = &'a str>,
     ) -> Option<&'a str> {
-        let n_left = self.n_left.checked_sub(candidates.len());
-        self.n_left = n_left.unwrap_or_default();
-        n_left?;
-        nearest(word, &candidates.collect::<Vec<&str>>())
+        let mut found = Vec::new();
+        for candidate in candidates {
+            // A candidate that is too long to be compared costs its own length.
+            let cost = (word.len().min(LONGEST) + 1) * (candidate.len().min(2 * LONGEST) + 1);
+            let Some(n_left) = self.n_left.checked_sub(cost) else {
+                self.n_left = 0;
+                return None;
+            };
+            self.n_left = n_left;
+            found.push(candidate);
+        }
+        nearest(word, &found)
     }
 }
 

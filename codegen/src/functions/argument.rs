@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use super::{
     multiplier::Multiplier,
     shape::{Element, Length, Shape},
-    unit::{ACCELERATION, FORCE, SPEED, Unit},
+    unit::Unit,
 };
 use crate::{
     expr::Input,
@@ -169,19 +169,19 @@ impl Argument {
             Self::UDirection => direction(
                 "u_direction",
                 Shape::SPEEDS,
-                ("the change of `u`", Unit::BySpeed(SPEED)),
+                ("the change of `u`", Unit::SPEEDS),
                 ("U_DIRECTIONS", |place| Input::Product(1, place)),
             ),
             Self::UDotDirection => direction(
                 "u_dot_direction",
                 Shape::SPEEDS,
-                ("the change of `u_dot`", Unit::BySpeed(ACCELERATION)),
+                ("the change of `u_dot`", Unit::ACCELERATIONS),
                 ("U_DOT_DIRECTIONS", |place| Input::Product(2, place)),
             ),
             Self::TauDirection => direction(
                 "tau_direction",
                 Shape::SPEEDS,
-                ("the change of `tau`", Unit::BySpeed(FORCE)),
+                ("the change of `tau`", Unit::FORCES),
                 ("TAU_DIRECTIONS", |place| Input::Product(3, place)),
             ),
             Self::LoadsDirection => Row {
@@ -215,22 +215,19 @@ impl Argument {
                 ("coordinates", Unit::COORDINATES),
                 |place| Input::Q(CoordinateId::new(place)),
             ),
-            Self::U => Row::of_state(
-                "u",
-                Shape::SPEEDS,
-                ("speeds", Unit::BySpeed(SPEED)),
-                |place| Input::U(SpeedId::new(place)),
-            ),
+            Self::U => Row::of_state("u", Shape::SPEEDS, ("speeds", Unit::SPEEDS), |place| {
+                Input::U(SpeedId::new(place))
+            }),
             Self::UDot => Row::of_state(
                 "u_dot",
                 Shape::SPEEDS,
-                ("rates of the speeds", Unit::BySpeed(ACCELERATION)),
+                ("rates of the speeds", Unit::ACCELERATIONS),
                 |place| Input::UDot(SpeedId::new(place)),
             ),
             Self::Tau => Row::sampled(
                 "tau",
                 Shape::SPEEDS,
-                ("generalized forces", Unit::BySpeed(FORCE)),
+                ("generalized forces", Unit::FORCES),
                 ("FORCES", |place| Input::Tau(SpeedId::new(place))),
             ),
             Self::Loads => Row {

@@ -6,7 +6,7 @@ use super::{
     argument::Argument,
     request::Request,
     shape::{Element, Length},
-    unit::{Unit, in_words},
+    unit::Unit,
 };
 
 /// The argument that is prepared once.
@@ -103,7 +103,7 @@ impl Declared {
     /// What is said of it below the documentation, which says already what is written.
     fn line(&self, units: &[String]) -> String {
         let (name, meaning) = (&self.name, &self.meaning);
-        let units = in_words(units);
+        let units = self.unit.in_words(units);
         match self.access {
             Access::Read if units.is_empty() => format!("- `{name}`: {meaning}"),
             Access::Read => format!("- `{name}`: {meaning}, {units}"),

@@ -28,7 +28,7 @@ pub enum Unit {
     /// By the speed to which an entry belongs.
     BySpeed(BySpeed),
     /// By the two speeds to which an entry belongs: of angles, of an angle and a translation, of translations.
-    ByTwoSpeeds([&'static str; 3]),
+    ByTwoSpeeds([&'static [&'static str]; 3]),
     /// By the coordinate to which an entry belongs: an angle, a translation, a part of a quaternion.
     ByCoordinate([&'static str; 3]),
     /// Of each pair the quotient.
@@ -41,14 +41,24 @@ impl Unit {
     /// No unit.
     pub(super) const ONE: Self = Self::Of(&["1"]);
     /// Of a mass matrix.
-    pub(super) const MASS_MATRIX: Self = Self::ByTwoSpeeds(["kg m^2", "kg m", "kg"]);
+    pub(super) const MASS_MATRIX: Self = Self::ByTwoSpeeds([&["kg m^2"], &["kg m"], &["kg"]]);
     /// Of the inverse of a mass matrix.
     pub(super) const MASS_MATRIX_INVERSE: Self =
-        Self::ByTwoSpeeds(["1/(kg m^2)", "1/(kg m)", "1/kg"]);
+        Self::ByTwoSpeeds([&["1/(kg m^2)"], &["1/(kg m)"], &["1/kg"]]);
+    /// Of the factors of a mass matrix.
+    pub(super) const MASS_MATRIX_FACTORS: Self =
+        Self::ByTwoSpeeds([&["kg m^2", "1"], &["m", "1/m"], &["kg", "1"]]);
     /// How fast a mass matrix changes.
-    pub(super) const MASS_MATRIX_DOT: Self = Self::ByTwoSpeeds(["kg m^2/s", "kg m/s", "kg/s"]);
+    pub(super) const MASS_MATRIX_DOT: Self =
+        Self::ByTwoSpeeds([&["kg m^2/s"], &["kg m/s"], &["kg/s"]]);
     /// Of coordinates.
     pub(super) const COORDINATES: Self = Self::ByCoordinate(CoordinateKind::UNITS);
+    /// Of speeds.
+    pub(crate) const SPEEDS: Self = Self::BySpeed(SPEED);
+    /// Of their rates.
+    pub(super) const ACCELERATIONS: Self = Self::BySpeed(ACCELERATION);
+    /// Of generalized forces.
+    pub(crate) const FORCES: Self = Self::BySpeed(FORCE);
     /// Of changes of coordinates along the motions of the speeds.
     pub(crate) const DIRECTIONS: Self = Self::BySpeed(["rad", "m"]);
 
@@ -60,14 +70,17 @@ impl Unit {
     /// Those of [`Self::all`] that there are where coordinates and speeds have these units.
     pub fn among(&self, coordinates: &[&str], speeds: &[&str]) -> Vec<String> {
         let [turns, shifts] = SPEED.map(|unit| speeds.contains(&unit));
-        let (all, there_are): (&[&str], Vec<bool>) = match self {
-            Self::Of(all) => (all, vec![true; all.len()]),
-            Self::Single(unit) => return vec![(*unit).to_owned()],
-            Self::BySpeed(all) => (all, vec![turns, shifts]),
-            Self::ByTwoSpeeds(all) => (all, vec![turns, turns && shifts, shifts]),
+        let both = turns && shifts;
+        match self {
+            Self::Of(all) => unique(all.iter().copied()),
+            Self::Single(unit) => unique([*unit]),
+            Self::BySpeed(all) => unique(kept(all, [turns, shifts]).copied()),
+            Self::ByTwoSpeeds(all) => {
+                unique(kept(all, [turns, both, shifts]).copied().flatten().copied())
+            }
             Self::ByCoordinate(all) => {
-                let there_is = |unit| coordinates.contains(&unit);
-                (all, CoordinateKind::UNITS.map(there_is).to_vec())
+                let there_is = CoordinateKind::UNITS.map(|unit| coordinates.contains(&unit));
+                unique(kept(all, there_is).copied())
             }
             Self::Quotients(pairs) => {
                 let mut found = Vec::new();
@@ -77,11 +90,9 @@ impl Unit {
                         found.extend(by.iter().map(|by| quotient(&of, by)));
                     }
                 }
-                return unique(found);
+                unique(found)
             }
-        };
-        let found = all.iter().zip(there_are).filter(|(_, there_is)| *there_is);
-        found.map(|(unit, _)| (*unit).to_owned()).collect()
+        }
     }
 
     /// In words; empty where none is known, and where entries have none.
@@ -89,7 +100,21 @@ impl Unit {
         if let Self::BySpeed([turn, shift]) = self {
             return format!("{turn} for an angle's speed, {shift} for a translation's");
         }
-        in_words(&self.all())
+        self.in_words(&self.all())
+    }
+
+    /// Those of its units that there are, in words; empty where none is known, and where entries have none.
+    pub(super) fn in_words(&self, there_are: &[String]) -> String {
+        match (self, there_are) {
+            (Self::ByCoordinate([.., quaternion]), [others @ .., last])
+                if last == quaternion && !others.is_empty() =>
+            {
+                format!("{}; {quaternion} in quaternions", others.join(" and "))
+            }
+            (_, [one]) if one == "1" => String::new(),
+            (_, [one, other]) => format!("{one} and {other}"),
+            (_, all) => all.join(", "),
+        }
     }
 
     /// Those of derivatives of the first of these by the second.
@@ -99,19 +124,16 @@ impl Unit {
     }
 }
 
-/// Units in words; empty where there are none.
-pub(super) fn in_words(units: &[String]) -> String {
-    match units {
-        [one] if one == "1" => String::new(),
-        [one, other] => format!("{one} and {other}"),
-        all => all.join(", "),
-    }
+/// Those that there are.
+fn kept<T, const N: usize>(all: &[T; N], there_are: [bool; N]) -> impl Iterator<Item = &T> {
+    let all = all.iter().zip(there_are);
+    all.filter_map(|(one, there_is)| there_is.then_some(one))
 }
 
 /// Each once, in the order in which they first stand.
-fn unique(all: Vec<String>) -> Vec<String> {
+fn unique(all: impl IntoIterator<Item = impl Into<String>>) -> Vec<String> {
     let mut known: Vec<String> = Vec::new();
-    for own in all {
+    for own in all.into_iter().map(Into::into) {
         if !known.contains(&own) {
             known.push(own);
         }

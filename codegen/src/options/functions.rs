@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use crate::{
+    diagnostic::NearNames,
     functions::{ALL, DEFAULT, Function, Parsed, Request, RequestError, is_set},
-    limits::TOLD,
     tree::Tree,
 };
 
@@ -78,14 +78,12 @@ impl Functions {
     pub fn on(&self, tree: &Tree) -> Result<Vec<Request>, Vec<RequestError>> {
         let (mut requests, mut faults) = (Vec::new(), Vec::new());
         let mut known = BTreeSet::new();
+        let mut near = NearNames::default();
         for named in self.requests() {
-            match named.on(tree) {
+            match named.among(tree, &mut near) {
                 Ok(request) if known.insert(request.text()) => requests.push(request),
                 Ok(_) => {}
                 Err(more) => faults.extend(more),
-            }
-            if faults.len() >= TOLD {
-                break;
             }
         }
         if faults.is_empty() {

@@ -159,7 +159,6 @@ fn sum(entries: &[Rounded]) -> Rounded {
     match entries {
         [entry] => *entry,
         entries => {
-            // Integers, which are exact.
             let weight = |place: usize| ((place * 397) % 1021 + 1) as f64 / 1024.0;
             let terms = entries.iter().enumerate();
             terms

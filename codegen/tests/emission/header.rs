@@ -12,12 +12,12 @@ use kane_test_support::models::{build, system};
 
 /// The header of a module of which these facts are others.
 fn header(change: impl FnOnce(&mut Facts)) -> String {
-    header_of("[\"s1\"]", &Options::default(), change)
+    header_of(("two", "[\"s1\"]"), &Options::default(), change)
 }
 
-/// The header of a body that turns, with one that has another joint.
-fn header_of(joint: &str, options: &Options, change: impl FnOnce(&mut Facts)) -> String {
-    let text = system("[0, 1]", &[("one", "[\"theta1\"]"), ("two", joint)]);
+/// The header of a body that turns, with another one.
+fn header_of(other: (&str, &str), options: &Options, change: impl FnOnce(&mut Facts)) -> String {
+    let text = system("[0, 1]", &[("one", "[\"theta1\"]"), other]);
     let tree = build(&text).expect("a sound description").tree;
     let compiled = compile::compile(&tree, options).expect("functions of every system");
     let origin = Origin::new(&tree, "two.toml", options);
@@ -68,7 +68,7 @@ fn numbers_without_bound_are_huge() {
 #[test]
 fn what_is_written_has_the_units_of_the_model() {
     let options = Options::default();
-    let lines = |joint| header_of(joint, &options, |_| {});
+    let lines = |joint| header_of(("two", joint), &options, |_| {});
     let both = lines("[\"s1\"]");
     assert!(both.contains("- `u_dot`: is written, whole: rad/s^2 and m/s^2\n"));
     assert!(both.contains("- `m`: is written, whole: kg m^2, kg m, kg\n"));
@@ -80,13 +80,18 @@ fn what_is_written_has_the_units_of_the_model() {
 
 #[test]
 fn texts_speak_of_names_that_the_header_declares() {
-    let functions = Functions::of([ALL.to_owned(), "bias(sin_cos)".to_owned()]);
+    let asked = [ALL, "bias(sin_cos)", "tau = bias+forcing", "pose(two)"];
+    let functions = Functions::of(asked.map(str::to_owned));
     let options = Options {
         functions,
         ..Options::default()
     };
-    let header = header_of("[\"s1\"]", &options, |_| {});
+    let header = header_of(("two", "[\"s1\"]"), &options, |_| {});
     let texts = header.lines().filter(|line| line.starts_with("///"));
+    // What is asked for and what the user has named stay as they are.
+    assert!(!header.contains("request `two_"));
+    assert!(!header.contains("`two_tau_f64`, "));
+    assert!(!header.contains("this matrix times `two_"));
     let mut n_renamed = 0;
     for piece in texts.flat_map(|line| line.split('`').skip(1).step_by(2)) {
         n_renamed += usize::from(piece.starts_with("two_") || piece.starts_with("TWO_"));
@@ -95,7 +100,21 @@ fn texts_speak_of_names_that_the_header_declares() {
         let is_argument = [format!(" {piece}["), format!("*{piece}")];
         let is_argument = is_argument.iter().any(|declared| header.contains(declared));
         let is_function = header.contains(&format!("void two_{piece}_f64("));
-        assert!(is_argument || !is_function, "{piece}");
+        let is_request = header.contains(&format!("request `{piece}`"));
+        assert!(is_argument || is_request || !is_function, "{piece}");
     }
     assert!(n_renamed > 20, "{n_renamed}");
+}
+
+#[test]
+fn frame_called_as_a_function_keeps_its_name_in_texts() {
+    let functions = Functions::of(["pose(bias)", "bias", "default"].map(str::to_owned));
+    let options = Options {
+        functions,
+        ..Options::default()
+    };
+    let header = header_of(("bias", "[\"s1\"]"), &options, |_| {});
+    assert!(header.contains("frame `bias`"), "{header}");
+    assert!(!header.contains("frame `two_"), "{header}");
+    assert!(header.contains("void two_bias_f64("));
 }

@@ -10,3 +10,4 @@ mod common;
 mod invented;
 mod names;
 mod sizes;
+mod unknown;

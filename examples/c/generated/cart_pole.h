@@ -216,7 +216,7 @@ void cart_pole_prepare_f32(
     const cart_pole_parameters_f32 *parameters,
     cart_pole_prepared_f32 *p);
 
-/// Sines and cosines of the angles among the coordinates, for the functions whose names end in `_at_sin_cos`.
+/// Sines and cosines of the angles among the coordinates, for the functions whose names have `_at_sin_cos`.
 ///
 /// - `p`: prepared parameters
 /// - `q`: coordinates, rad and m

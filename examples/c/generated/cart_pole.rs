@@ -254,7 +254,7 @@ pub struct SinCos<R> {
     pub cosines: [R; NA],
 }
 
-/// Sines and cosines of the angles among the coordinates, for the functions whose names end in `_at_sin_cos`.
+/// Sines and cosines of the angles among the coordinates, for the functions whose names have `_at_sin_cos`.
 ///
 /// Operations: 2 = 0 mul + 0 add + 0 div + 2 trig.
 #[allow(

@@ -87,7 +87,7 @@ pub unsafe extern "C" fn cart_pole_prepare_f32(
     }
 }
 
-/// Sines and cosines of the angles among the coordinates, for the functions whose names end in `_at_sin_cos`.
+/// Sines and cosines of the angles among the coordinates, for the functions whose names have `_at_sin_cos`.
 ///
 /// - `p`: prepared parameters
 /// - `q`: coordinates, rad and m

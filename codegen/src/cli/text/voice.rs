@@ -21,7 +21,7 @@ pub(crate) struct Voice {
     )]
     verbose: bool,
 
-    /// Print neither notes nor warnings; beside an error, what may explain it
+    /// Print neither notes nor warnings, except those that may explain an error
     #[arg(long, short, global = true, display_order = 901)]
     quiet: bool,
 }

@@ -197,16 +197,17 @@ fn limits(
         warn_of_range(reader, element, &owner);
     } else if matches!(kind, Some(JointKind::Continuous)) {
         let ends = ["lower", "upper"].map(|name| reader.optional_number(element, &owner, name));
-        if ends.iter().any(Option::is_some) {
-            warn_of_ends(reader, element, words);
+        // Zeros are what a joint without limits has that some exporters write.
+        if ends.iter().flatten().any(|end| end.value != 0.0) {
+            warn_of_range_of_continuous(reader, element, words);
         }
     }
     PerCoordinate::Same(Spanned::new(limits, element.span()))
 }
 
 /// A continuous joint has no range.
-fn warn_of_ends(reader: &mut Reader, element: Element<'_>, words: &str) {
-    let message = format!("`lower` and `upper` of {words} are left out: the joint is continuous");
+fn warn_of_range_of_continuous(reader: &mut Reader, element: Element<'_>, words: &str) {
+    let message = format!("the range of {words} is left out: the joint is continuous");
     let warning = Diagnostic::warning(message)
         .at(element.span(), "a joint with a range is `revolute`")
         .one_of("ranges of continuous joints are left out", words);

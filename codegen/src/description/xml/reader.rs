@@ -1,7 +1,9 @@
 //! The reading of elements and attributes, and of their names.
 
 use crate::description::xml::document::Element;
-use crate::diagnostic::{Diagnostic, Faults, Severity, Spanned, backquoted, nearest, shown};
+use crate::diagnostic::{
+    Diagnostic, Faults, NearNames, Severity, Spanned, backquoted, nearest, shown,
+};
 
 /// The names that an element's reader knows; it says something about all others.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +41,8 @@ impl<'k> Known<'k> {
 #[derive(Debug, Default)]
 pub(crate) struct Reader {
     pub(crate) faults: Faults,
+    /// Of names that nothing has, those that were meant.
+    pub(crate) near: NearNames,
 }
 
 impl Reader {

@@ -8,7 +8,7 @@ use crate::functions::{
     shape::Shape,
     subject::View,
     terms::Terms,
-    unit::{FORCE, LEVER, TURNING, Unit},
+    unit::{LEVER, TURNING, Unit},
 };
 
 pub(super) const ANY_VIEW: Of = Of::Frame(&[View::Inertial, View::Local, View::Other]);
@@ -218,7 +218,7 @@ pub(super) const GENERALIZED_FORCE: Function = Function {
     name: "generalized_force",
     trait_name: Some("GeneralizedForce"),
     arguments: &[Argument::Q, Argument::Force, Argument::Moment],
-    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
+    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::FORCES)],
     doc: &[
         "Generalized forces of a wrench on the frame {frame}, its force at the frame's origin: `tau`, the transposed Jacobian times the wrench.",
         "The wrench is given by {axes}; {tau}. Also known as `J^T F`.",

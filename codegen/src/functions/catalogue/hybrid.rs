@@ -9,7 +9,7 @@ use crate::functions::{
     shape::Shape,
     terms::Terms,
     told::KnownMatrix,
-    unit::{ACCELERATION, FORCE, Unit},
+    unit::Unit,
 };
 
 pub(super) const HYBRID_DYNAMICS: Function = Function {
@@ -20,13 +20,13 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
         Output::of_several(
             ("whole_u_dot", "whole_u_dot_multiplier"),
             Shape::SPEEDS,
-            Unit::BySpeed(ACCELERATION),
+            Unit::ACCELERATIONS,
             "rates of all speeds, those that are given copied",
         ),
         Output::of_several(
             ("whole_tau", "whole_tau_multiplier"),
             Shape::SPEEDS,
-            Unit::BySpeed(FORCE),
+            Unit::FORCES,
             "generalized forces of all speeds, those that are given copied",
         ),
     ],

@@ -10,7 +10,7 @@ use crate::functions::{
     shape::Shape,
     subject::View,
     terms::Terms,
-    unit::{FORCE, LEVER, Unit},
+    unit::{LEVER, Unit},
 };
 
 pub(super) const POSITION: Function = Function {
@@ -133,7 +133,7 @@ pub(super) const LINEAR_GENERALIZED_FORCE: Function = Function {
     name: "linear_generalized_force",
     trait_name: Some("LinearGeneralizedForce"),
     arguments: &[Argument::Q, Argument::Force],
-    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
+    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::FORCES)],
     doc: &[
         "Generalized forces of a force at the origin of the frame {frame}: `tau`, the transposed Jacobian of the origin times the force.",
         "The force is given by {axes}; {tau}. Also known as `J^T f`.",

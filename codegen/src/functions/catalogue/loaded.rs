@@ -9,14 +9,14 @@ use crate::functions::{
     shape::Shape,
     terms::Terms,
     told::KnownMatrix,
-    unit::{ACCELERATION, FORCE, Unit},
+    unit::Unit,
 };
 
 pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
     name: "loaded_inverse_dynamics",
     trait_name: Some("LoadedInverseDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
-    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
+    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::FORCES)],
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
     derivatives: Some(JacobiansFn::OfSystem(
         roots::jacobians::forces::loaded_inverse_dynamics,
@@ -37,11 +37,7 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     name: "loaded_forward_dynamics",
     trait_name: Some("LoadedForwardDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::Tau, Argument::Loads],
-    outputs: &[Output::new(
-        "u_dot",
-        Shape::SPEEDS,
-        Unit::BySpeed(ACCELERATION),
-    )],
+    outputs: &[Output::new("u_dot", Shape::SPEEDS, Unit::ACCELERATIONS)],
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
     derivatives: Some(JacobiansFn::OfSystem(

@@ -9,7 +9,7 @@ use crate::{
         shape::Shape,
         terms::Terms,
         told::{Beside, KnownMatrix, ReadOff},
-        unit::{ACCELERATION, FORCE, Unit},
+        unit::Unit,
     },
     kane,
     recursive::{self, Technique},
@@ -62,7 +62,7 @@ pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
     name: "mass_matrix_product",
     trait_name: Some("MassMatrixProduct"),
     arguments: &[Argument::Q, Argument::UDot],
-    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::BySpeed(FORCE))],
+    outputs: &[Output::new("tau", Shape::SPEEDS, Unit::FORCES)],
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
     derivatives: Some(JacobiansFn::OfSystem(
         roots::jacobians::forces::mass_matrix_product,
@@ -82,11 +82,7 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     name: "mass_matrix_solve",
     trait_name: Some("MassMatrixSolve"),
     arguments: &[Argument::Q, Argument::Tau],
-    outputs: &[Output::new(
-        "u_dot",
-        Shape::SPEEDS,
-        Unit::BySpeed(ACCELERATION),
-    )],
+    outputs: &[Output::new("u_dot", Shape::SPEEDS, Unit::ACCELERATIONS)],
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
     derivatives: Some(JacobiansFn::OfSystem(
@@ -159,7 +155,7 @@ pub(super) const MASS_MATRIX_FACTORS: Function = Function {
     outputs: &[Output::new(
         "entries",
         Shape::FACTORS,
-        Unit::Of(&["kg m^2", "kg", "1", "m", "1/m"]),
+        Unit::MASS_MATRIX_FACTORS,
     )],
     doc: &[
         "The factors `L` and `D` of the mass matrix of Eq. (42), `M = L^T D L` along the tree, without fill but where joints follow others on several branches:",

@@ -57,7 +57,7 @@ pub(super) const REGRESSOR: Function = Function {
         "Inertia forces and weight as they are linear in the inertial parameters `pi` of the bodies: `inverse_dynamics` is the sum of `y pi` over",
         "all bodies and parameters, and what springs, dampers and rotors need, less what lifts bodies. Ten parameters a body, with all that is fixed to it:",
         "`m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`, `I_xz`, `I_yz`, `I_zz`, about the body's origin, body components, kg, kg m, kg m^2;",
-        "`I_xy` is the tensor's component. The model's own values are not read. Also known as joint torque regressor, identification matrix.",
+        "`I_xy` is the tensor's component. The model's own values do not matter. Also known as joint torque regressor, identification matrix.",
     ],
     derivation: Derivation::EitherWay(roots::regressor::regressor),
     terms: Terms::OfVector,

@@ -14,6 +14,7 @@ use super::{
     syntax::{self, AT_SIN_COS, Kind, Product, Unexpected, Word, written},
 };
 use crate::{
+    diagnostic::NearNames,
     functions::{
         derivatives::derivative::{Derivative, DerivativeKind},
         function::{Function, Of},
@@ -100,7 +101,16 @@ impl Parsed {
     /// # Errors
     /// All frames that the model lacks.
     pub fn on(&self, tree: &Tree) -> Result<Request, Vec<RequestError>> {
-        self.resolved(Some(tree))
+        self.among(tree, &mut NearNames::default())
+    }
+
+    /// The same of one of many requests, with what looks for frames that were meant.
+    pub(crate) fn among(
+        &self,
+        tree: &Tree,
+        near: &mut NearNames,
+    ) -> Result<Request, Vec<RequestError>> {
+        self.resolved(Some(tree), near)
     }
 
     /// The request, where it is the same of every model.
@@ -108,12 +118,17 @@ impl Parsed {
     /// # Errors
     /// A frame, which no system has without a model.
     pub fn of_any_model(&self) -> Result<Request, RequestError> {
-        let request = self.resolved(None);
+        let request = self.resolved(None, &mut NearNames::default());
         request.map_err(|mut faults| faults.swap_remove(0))
     }
 
-    fn resolved(&self, tree: Option<&Tree>) -> Result<Request, Vec<RequestError>> {
-        let parts = self.parts.iter().map(|part| part.on(&self.text, tree));
+    fn resolved(
+        &self,
+        tree: Option<&Tree>,
+        near: &mut NearNames,
+    ) -> Result<Request, Vec<RequestError>> {
+        let parts = self.parts.iter();
+        let parts = parts.map(|part| part.on(&self.text, tree, near));
         let parts = all_or_faults(parts)?;
         match joined::fault(&self.text, &parts) {
             Some(fault) => Err(vec![fault]),
@@ -310,7 +325,12 @@ impl ParsedPart {
         })
     }
 
-    fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Part, Vec<RequestError>> {
+    fn on(
+        &self,
+        text: &str,
+        tree: Option<&Tree>,
+        near: &mut NearNames,
+    ) -> Result<Part, Vec<RequestError>> {
         let subject = self.subject.as_ref();
         let is_jvp = |(kind, _): &(DerivativeKind, _)| *kind == DerivativeKind::Jvp;
         let is_jvp = self.derivative.as_ref().is_some_and(is_jvp);
@@ -336,7 +356,9 @@ impl ParsedPart {
         };
         let by = self.derivative.iter().flat_map(|(_, by)| by);
         let by = all_or_faults(by.map(variable));
-        let subject = subject.map(|subject| subject.on(text, tree)).transpose();
+        let subject = subject
+            .map(|subject| subject.on(text, tree, near))
+            .transpose();
         let (by, subject) = match (by, subject) {
             (Ok(by), Ok(subject)) => (by, subject),
             (by, subject) => {

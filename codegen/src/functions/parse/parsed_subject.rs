@@ -6,6 +6,7 @@ use super::{
     unknown_frame,
 };
 use crate::{
+    diagnostic::NearNames,
     functions::{
         function::Function,
         subject::{Subject, SubjectFrame, View},
@@ -81,19 +82,20 @@ impl ParsedSubject {
         &self,
         text: &str,
         tree: Option<&Tree>,
+        near: &mut NearNames,
     ) -> Result<Subject, Vec<RequestError>> {
-        let found = |word: &Word| {
+        let mut found = |word: &Word| {
             let frame = tree.and_then(|tree| SubjectFrame::find(tree, &word.text));
             frame.ok_or_else(|| {
                 vec![RequestError::UnknownFrame {
                     request: text.to_owned(),
                     name: word.text.clone(),
-                    advice: unknown_frame::advice(tree, &word.text),
+                    advice: unknown_frame::advice(tree, &word.text, near),
                     place: word.place.clone(),
                 }]
             })
         };
-        let frames = all_or_faults(self.frames.iter().map(found))?;
+        let frames = all_or_faults(self.frames.iter().map(&mut found))?;
         Ok(Subject::new(tree, frames, self.view))
     }
 }

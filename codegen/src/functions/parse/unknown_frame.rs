@@ -2,7 +2,7 @@
 
 use super::request_error::names;
 use crate::{
-    diagnostic::{Escaped, nearest},
+    diagnostic::{Escaped, NearNames},
     functions::names::dictionary::advice_on_frame,
     tree::Tree,
 };
@@ -11,7 +11,7 @@ use crate::{
 const FEW_FRAMES: usize = 8;
 
 /// What was probably meant, or which frames there are; no model has none.
-pub(super) fn advice(tree: Option<&Tree>, name: &str) -> String {
+pub(super) fn advice(tree: Option<&Tree>, name: &str, near: &mut NearNames) -> String {
     if let Some(body) = tree.and_then(|tree| jointed_by(tree, name)) {
         return format!("it is the joint of body `{}`; ask for that", body.escaped());
     }
@@ -22,10 +22,10 @@ pub(super) fn advice(tree: Option<&Tree>, name: &str) -> String {
         let frames = tree.named_frames();
         frames.map(|frame| tree.frame_name(frame)).collect()
     });
-    among(&known, name)
+    among(&known, name, near)
 }
 
-fn among(known: &[&str], name: &str) -> String {
+fn among(known: &[&str], name: &str, near: &mut NearNames) -> String {
     let bare = name.trim_matches('\'');
     if bare != name && known.contains(&bare) {
         return "quotes are double, and needed only around names that are not one word".to_owned();
@@ -34,7 +34,7 @@ fn among(known: &[&str], name: &str) -> String {
     if count == 0 {
         return "there are none".to_owned();
     }
-    let near = nearest(name, known);
+    let near = near.nearest(name, known.iter().copied());
     if let Some(near) = near.filter(|_| count > FEW_FRAMES) {
         return format!("did you mean `{}`?", near.escaped());
     }

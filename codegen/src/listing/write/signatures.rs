@@ -28,7 +28,7 @@ pub(super) fn prepare() -> Signature {
 
 /// Of the function that others are given the result of.
 pub(super) fn sin_cos() -> Signature {
-    let doc = "Sines and cosines of the angles among the coordinates, for the functions whose names end in `_at_sin_cos`.";
+    let doc = "Sines and cosines of the angles among the coordinates, for the functions whose names have `_at_sin_cos`.";
     Signature {
         name: SIN_COS.to_owned(),
         doc: vec![doc.to_owned()],

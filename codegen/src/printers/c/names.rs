@@ -1,21 +1,32 @@
 //! Names of a module as C knows them: documentation speaks of constants, functions and structures by those of Rust.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::rules::{SCALARS, symbol};
 use crate::{
-    functions::{Declared, Signature},
+    functions::{CATALOGUE, Declared, NOMINAL, PREPARE, SIN_COS, Signature},
     listing::Facts,
-    words::C_STRUCTURES,
+    words::{C_RUNTIME, C_STRUCTURES},
 };
 
 /// The structures in Rust, in the order of [`C_STRUCTURES`].
 const STRUCTURES: [&str; 3] = ["Parameters", "Prepared", "SinCos"];
 
-/// By each name in Rust that in C.
+/// The name in C of each name in Rust.
 pub(super) struct Names {
     constants: BTreeMap<String, String>,
     functions: BTreeMap<String, String>,
+}
+
+/// True of functions of which texts speak: those of the catalogue, and what each module has. Other names are the user's.
+fn is_told(name: &str) -> bool {
+    let of_every_module = [NOMINAL, PREPARE, SIN_COS];
+    CATALOGUE
+        .iter()
+        .map(|function| function.name)
+        .chain(of_every_module)
+        .chain(C_RUNTIME)
+        .any(|own| own == name)
 }
 
 impl Names {
@@ -26,6 +37,11 @@ impl Names {
         let tables = tables.chain(facts.prescribed_constant());
         let tables = tables.map(|constant| constant.name.to_owned());
         let sizes = facts.sizes.0.iter().map(|size| size.name.clone());
+        // A user's name may be spelt like one of ours: what is meant is then not known.
+        let own = facts.bodies.iter().map(|body| &body.name);
+        let own: BTreeSet<&String> = own
+            .chain(facts.frames.iter().map(|one| &one.name))
+            .collect();
         let constants = sizes.chain(tables).map(|constant| {
             let in_c = format!("{prefix}_{constant}");
             (constant, in_c)
@@ -33,18 +49,23 @@ impl Names {
         let of_structures = STRUCTURES.into_iter().zip(C_STRUCTURES);
         let of_structures =
             of_structures.map(|(own, kind)| (own.to_owned(), symbol(name, kind, SCALARS[0])));
-        let functions = functions.iter().map(|signature| {
-            let own = signature.name.clone();
-            let in_c = symbol(name, &own, SCALARS[0]);
-            (own, in_c)
+        let names = functions.iter().map(|signature| signature.name.clone());
+        let names = names.filter(|name| is_told(name));
+        let functions = names.map(|function| {
+            let in_c = symbol(name, &function, SCALARS[0]);
+            (function, in_c)
         });
-        Self {
+        let mut names = Self {
             constants: constants.chain(of_structures).collect(),
             functions: functions.collect(),
-        }
+        };
+        names.constants.retain(|name, _| !own.contains(name));
+        names.functions.retain(|name, _| !own.contains(name));
+        names
     }
 
-    /// A text of a function with these arguments; the name of an argument is a function's only behind that word.
+    /// A text of a function with these arguments. A name that is also an argument's means the function only directly behind the
+    /// word `function`; behind `request` it is what is asked for.
     pub(super) fn renamed(&self, text: &str, arguments: &[Declared]) -> String {
         let mut renamed = String::new();
         for (place, piece) in text.split('`').enumerate() {
@@ -53,6 +74,7 @@ impl Names {
             }
             let is_argument = arguments.iter().any(|argument| argument.name == piece);
             let is_function = !is_argument || renamed.ends_with("function `");
+            let is_function = is_function && !renamed.ends_with("request `");
             let function = self.functions.get(piece).filter(|_| is_function);
             let own = self.constants.get(piece).or(function);
             // Every second piece stands between two backquotes.

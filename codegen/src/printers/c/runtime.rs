@@ -1,9 +1,7 @@
 //! What C gets of the runtime crate beside a module's functions: sums and differences of coordinates, steps and their derivatives.
 
 use crate::{
-    functions::{
-        Access, Argument, Declared, Element, FORCE, Length, N_SPEEDS, SPEED, Signature, Unit,
-    },
+    functions::{Access, Argument, Declared, Element, Length, N_SPEEDS, Signature, Unit},
     listing::Module,
     words::{
         EULER_LINEARIZED, EULER_STEP, Q_MINUS, Q_PLUS, RK4_LINEARIZED, RK4_STEP, SCALE_QUATERNIONS,
@@ -159,7 +157,7 @@ fn states() -> [Declared; 6] {
 /// The matrices of a linearized step, `2 NU` by `2 NU` and `2 NU` by `NU`.
 fn matrices() -> [Declared; 2] {
     let n_speeds = || N_SPEEDS.to_owned();
-    let [direction, speed, force] = [Unit::DIRECTIONS, Unit::BySpeed(SPEED), Unit::BySpeed(FORCE)];
+    let [direction, speed, force] = [Unit::DIRECTIONS, Unit::SPEEDS, Unit::FORCES];
     let changes = [direction, speed];
     let matrix = |declared, columns: Length, by: &[Unit]| {
         let pairs = changes

@@ -379,10 +379,15 @@ fn range_of_a_continuous_joint_is_left_out_and_that_is_told() {
     let limit = "<limit lower='-1' upper='2' effort='30' velocity='4'/>";
     let text = |limit| robot(&[("j", "continuous", "a", "b", limit)]);
     let description = parse(&text(limit), &Reading::default());
-    let warning = "`lower` and `upper` of joint `j` are left out: the joint is continuous";
+    let warning = "the range of joint `j` is left out: the joint is continuous";
     assert_eq!(told(&description), [NO_GRAVITY, warning]);
     let read = limits(&description.bodies[1].joint);
     assert_eq!(read, Some([None, None, Some(4.0), Some(30.0)]));
+    let none = limit.replace("-1", "0").replace("'2'", "'0'");
+    assert_eq!(
+        told(&parse(&text(&none), &Reading::default())),
+        [NO_GRAVITY]
+    );
     let unreadable = limit.replace("-1", "abc");
     let faults = parse(&text(&unreadable), &Reading::default()).faults;
     assert!(faults.iter().any(Diagnostic::is_error));

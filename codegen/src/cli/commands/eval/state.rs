@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use kane_codegen::{
-    diagnostic::{Diagnostic, Diagnostics, Escaped, Faults, Severity, Source, Span, nearest},
+    diagnostic::{Diagnostic, Diagnostics, Escaped, Faults, NearNames, Severity, Source, Span},
     expr::Input,
     functions::{Argument, Dimension, Element, Function, Request, variable_elsewhere},
     id::ParameterId,
@@ -34,6 +34,7 @@ pub(crate) fn read(source: &Source, tree: &Tree, function: &Request) -> Result<S
         tree,
         state: nominal(tree),
         faults: Faults::default(),
+        near: NearNames::default(),
     };
     match serde_json::from_str(source.text()) {
         Ok(Unique(Value::Object(file))) => reader.file(&file, function),
@@ -74,6 +75,7 @@ struct Reader<'a> {
     tree: &'a Tree,
     state: State,
     faults: Faults,
+    near: NearNames,
 }
 
 impl Reader<'_> {
@@ -187,7 +189,7 @@ impl Reader<'_> {
                     Diagnostic::error(format!("`{what}` names none of the {}", places.kind));
                 // Names of speeds end in it, and are listed without.
                 let name = name.strip_suffix("_dot").unwrap_or(name);
-                let help = known_names(name, &places.names(), places.kind);
+                let help = self.known_names(name, &places.names(), places.kind);
                 self.fault_of_key(&what, fault.help(help));
             }
         }
@@ -235,6 +237,15 @@ impl Reader<'_> {
                 self.state.insert(Input::Sine(place), sine);
                 self.state.insert(Input::Cosine(place), cosine);
             }
+        }
+    }
+
+    /// What was probably meant.
+    fn known_names(&mut self, name: &str, known: &[&str], what: &str) -> String {
+        match self.near.nearest(name, known.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None if known.is_empty() => format!("there are no {what}"),
+            None => format!("the {what} are {}", known.join(", ")),
         }
     }
 
@@ -310,7 +321,7 @@ impl Reader<'_> {
             } else if !self.faults.is_full(Severity::Error) {
                 let name_shown = name.escaped();
                 let fault = format!("`{PARAMETERS}` names `{name_shown}`, which is no parameter");
-                let help = known_names(name, &names, "parameters");
+                let help = self.known_names(name, &names, "parameters");
                 self.fault_of_key(&what, Diagnostic::error(fault).help(help));
             }
         }
@@ -361,7 +372,7 @@ impl Reader<'_> {
             let fault = format!("{what} has the unknown key `{}`", key.escaped());
             let own = variable_elsewhere(key).filter(|own| known.contains(own));
             let help = own.map(|own| format!("here it is called `{own}`"));
-            let help = help.unwrap_or_else(|| known_names(key, known, "keys"));
+            let help = help.unwrap_or_else(|| self.known_names(key, known, "keys"));
             let place = of.map_or_else(|| Place::of(key), |of| of.key(key));
             self.fault_of_key(&place, Diagnostic::error(fault).help(help));
         }
@@ -384,15 +395,6 @@ fn numbers(lengths: &[usize]) -> String {
             let inner = numbers(inner).replacen("a list", "lists", 1);
             format!("a list of {length} {inner}")
         }
-    }
-}
-
-/// What was probably meant.
-fn known_names(name: &str, known: &[&str], what: &str) -> String {
-    match nearest(name, known) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None if known.is_empty() => format!("there are no {what}"),
-        None => format!("the {what} are {}", known.join(", ")),
     }
 }
 
