@@ -74,14 +74,12 @@ static void panda_f64(int state)
     panda_prepared_f64 p;
     panda_prepare_f64(&parameters, &p);
 
-    double q[PANDA_NQ], u[PANDA_NU], u_dot[PANDA_NU], tau[PANDA_NU];
-    for (int i = 0; i < PANDA_NU; i++) {
+    double q[PANDA_NQ], tau[PANDA_NU];
+    for (int i = 0; i < PANDA_NQ; i++) {
         q[i] = entry(state, i);
-        u[i] = entry(state, i + 10);
-        u_dot[i] = entry(state, i + 20);
     }
-    panda_inverse_dynamics_f64(&p, q, u, u_dot, tau);
-    print_f64("inverse_dynamics", PANDA_NU, tau);
+    panda_gravity_forces_f64(&p, q, tau);
+    print_f64("gravity_forces", PANDA_NU, tau);
 }
 
 static void panda_f32(int state)
@@ -91,14 +89,12 @@ static void panda_f32(int state)
     panda_prepared_f32 p;
     panda_prepare_f32(&parameters, &p);
 
-    float q[PANDA_NQ], u[PANDA_NU], u_dot[PANDA_NU], tau[PANDA_NU];
-    for (int i = 0; i < PANDA_NU; i++) {
+    float q[PANDA_NQ], tau[PANDA_NU];
+    for (int i = 0; i < PANDA_NQ; i++) {
         q[i] = (float)entry(state, i);
-        u[i] = (float)entry(state, i + 10);
-        u_dot[i] = (float)entry(state, i + 20);
     }
-    panda_inverse_dynamics_f32(&p, q, u, u_dot, tau);
-    print_f32("inverse_dynamics_f32", PANDA_NU, tau);
+    panda_gravity_forces_f32(&p, q, tau);
+    print_f32("gravity_forces_f32", PANDA_NU, tau);
 }
 
 int main(void)
