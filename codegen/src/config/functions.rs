@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::{
     description::toml_reader::{Reader, Table, span},
-    diagnostic::{Diagnostic, Escaped, Span, Spanned},
+    diagnostic::{Diagnostic, Escaped, Spanned},
     functions::{ALL, Parsed, RequestError, advice, is_set},
     options::{Functions, is_in_all},
 };
@@ -14,8 +14,8 @@ use crate::{
 pub struct Named {
     /// The list, in the words of messages.
     what: String,
-    /// The entries, by what each asks for however it writes that; the first of each.
-    entries: BTreeMap<String, Spanned<String>>,
+    /// The entries, by what each asks for however it writes that.
+    asked: BTreeMap<String, Spanned<String>>,
 }
 
 /// Reads `functions` of a system.
@@ -34,7 +34,7 @@ pub(super) fn read(reader: &mut Reader, system: &Table<'_, '_>) -> Option<(Funct
         return None;
     }
     let mut names: Vec<Spanned<String>> = Vec::new();
-    let mut known: BTreeMap<String, Span> = BTreeMap::new();
+    let mut asked: BTreeMap<String, Spanned<String>> = BTreeMap::new();
     for (index, entry) in entries.iter().enumerate() {
         let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
             continue;
@@ -47,15 +47,15 @@ pub(super) fn read(reader: &mut Reader, system: &Table<'_, '_>) -> Option<(Funct
             continue;
         }
         let plain = Parsed::plain(&name.value);
-        if let Some(first) = known.get(&plain) {
+        if let Some(first) = asked.get(&plain) {
             let fault = Diagnostic::error(format!("{what} names `{}` twice", name.value));
             reader.faults.push(
                 fault
                     .at(name.span, "the second one")
-                    .at(*first, "the first one"),
+                    .at(first.span, "the first one"),
             );
         } else {
-            known.insert(plain, name.span);
+            asked.insert(plain, name.clone());
             names.push(name);
         }
     }
@@ -69,13 +69,7 @@ pub(super) fn read(reader: &mut Reader, system: &Table<'_, '_>) -> Option<(Funct
         }
     }
     let functions = Functions::of(names.iter().map(|name| name.value.clone()));
-    let mut entries = BTreeMap::new();
-    for name in names {
-        if let Some(asked) = asked(&name.value) {
-            entries.entry(asked).or_insert(name);
-        }
-    }
-    Some((functions, Named { what, entries }))
+    Some((functions, Named { what, asked }))
 }
 
 impl Named {
@@ -120,13 +114,8 @@ impl Named {
 
     /// The entry that asks for this, however it writes that.
     fn entry(&self, request: &str) -> Option<&Spanned<String>> {
-        self.entries.get(&asked(request)?)
+        self.asked.get(&Parsed::plain(request))
     }
-}
-
-/// What a text asks for, in one form.
-fn asked(request: &str) -> Option<String> {
-    Parsed::read(request).ok().map(|request| request.text())
 }
 
 /// All that is wrong with the name of a function in a list or table.

@@ -32,7 +32,7 @@ impl NearNames {
     ) -> Option<&'a str> {
         let mut found = Vec::new();
         for candidate in candidates {
-            // A candidate that is too long to be compared costs its own length.
+            // What is too long to be compared costs as much as the longest that is: collecting it takes time too.
             let cost = (word.len().min(LONGEST) + 1) * (candidate.len().min(2 * LONGEST) + 1);
             let Some(n_left) = self.n_left.checked_sub(cost) else {
                 self.n_left = 0;

@@ -80,7 +80,7 @@ impl Functions {
         let mut known = BTreeSet::new();
         let mut near = NearNames::default();
         for named in self.requests() {
-            match named.among(tree, &mut near) {
+            match named.on_with(tree, &mut near) {
                 Ok(request) if known.insert(request.text()) => requests.push(request),
                 Ok(_) => {}
                 Err(more) => faults.extend(more),

@@ -197,7 +197,7 @@ fn limits(
         warn_of_range(reader, element, &owner);
     } else if matches!(kind, Some(JointKind::Continuous)) {
         let ends = ["lower", "upper"].map(|name| reader.optional_number(element, &owner, name));
-        // Zeros are what a joint without limits has that some exporters write.
+        // Some exporters write zeros where there are no limits.
         if ends.iter().flatten().any(|end| end.value != 0.0) {
             warn_of_range_of_continuous(reader, element, words);
         }

@@ -101,11 +101,11 @@ impl Parsed {
     /// # Errors
     /// All frames that the model lacks.
     pub fn on(&self, tree: &Tree) -> Result<Request, Vec<RequestError>> {
-        self.among(tree, &mut NearNames::default())
+        self.on_with(tree, &mut NearNames::default())
     }
 
-    /// The same of one of many requests, with what looks for frames that were meant.
-    pub(crate) fn among(
+    /// The same for one of many requests; `near` looks for the frames that were meant, of all of them together.
+    pub(crate) fn on_with(
         &self,
         tree: &Tree,
         near: &mut NearNames,

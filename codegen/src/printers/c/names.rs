@@ -14,7 +14,9 @@ const STRUCTURES: [&str; 3] = ["Parameters", "Prepared", "SinCos"];
 
 /// The name in C of each name in Rust.
 pub(super) struct Names {
+    /// Of constants and structures.
     constants: BTreeMap<String, String>,
+    /// Of functions, in double precision.
     functions: BTreeMap<String, String>,
 }
 
@@ -32,36 +34,30 @@ fn is_told(name: &str) -> bool {
 impl Names {
     /// Those of the module `name`, with these functions.
     pub(super) fn of(facts: &Facts, name: &str, functions: &[&Signature]) -> Self {
-        let prefix = name.to_uppercase();
+        // A user's name may be spelt like one of ours: what is meant is then not known.
+        let bodies = facts.bodies.iter().map(|body| &body.name);
+        let frames = facts.frames.iter().map(|frame| &frame.name);
+        let users: BTreeSet<&String> = bodies.chain(frames).collect();
+        let is_ours = |(own, _): &(String, String)| !users.contains(own);
         let tables = facts.all_constants().into_iter();
         let tables = tables.chain(facts.prescribed_constant());
         let tables = tables.map(|constant| constant.name.to_owned());
         let sizes = facts.sizes.0.iter().map(|size| size.name.clone());
-        // A user's name may be spelt like one of ours: what is meant is then not known.
-        let own = facts.bodies.iter().map(|body| &body.name);
-        let own: BTreeSet<&String> = own
-            .chain(facts.frames.iter().map(|one| &one.name))
-            .collect();
-        let constants = sizes.chain(tables).map(|constant| {
-            let in_c = format!("{prefix}_{constant}");
-            (constant, in_c)
+        let prefix = name.to_uppercase();
+        let constants = sizes.chain(tables).map(|own| {
+            let in_c = format!("{prefix}_{own}");
+            (own, in_c)
         });
-        let of_structures = STRUCTURES.into_iter().zip(C_STRUCTURES);
-        let of_structures =
-            of_structures.map(|(own, kind)| (own.to_owned(), symbol(name, kind, SCALARS[0])));
-        let names = functions.iter().map(|signature| signature.name.clone());
-        let names = names.filter(|name| is_told(name));
-        let functions = names.map(|function| {
-            let in_c = symbol(name, &function, SCALARS[0]);
-            (function, in_c)
-        });
-        let mut names = Self {
-            constants: constants.chain(of_structures).collect(),
-            functions: functions.collect(),
-        };
-        names.constants.retain(|name, _| !own.contains(name));
-        names.functions.retain(|name, _| !own.contains(name));
-        names
+        let in_c = |own: &str| symbol(name, own, SCALARS[0]);
+        let structures = STRUCTURES.into_iter().zip(C_STRUCTURES);
+        let structures = structures.map(|(own, kind)| (own.to_owned(), in_c(kind)));
+        let functions = functions.iter().map(|signature| &signature.name);
+        let functions = functions.filter(|name| is_told(name));
+        let functions = functions.map(|own| (own.clone(), in_c(own)));
+        Self {
+            constants: constants.chain(structures).filter(is_ours).collect(),
+            functions: functions.filter(is_ours).collect(),
+        }
     }
 
     /// A text of a function with these arguments. A name that is also an argument's means the function only directly behind the
