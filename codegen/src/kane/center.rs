@@ -54,9 +54,24 @@ pub fn jacobian_dot_u(graph: &mut ExprGraph, tree: &Tree) -> Vector {
 
 /// `sum_K R_K^T m_K V_G_K` and `sum_K R_K^T I_K W_K + (p_G_K - p) × R_K^T m_K V_G_K`, one column a speed.
 pub fn momentum_matrix(graph: &mut ExprGraph, tree: &Tree) -> Vec<Momentum> {
+    momentum_columns(graph, tree, position)
+}
+
+/// The columns of the angular momentum about the inertial origin: the same with `p = 0`.
+pub fn angular_about_origin(graph: &mut ExprGraph, tree: &Tree) -> Vec<Vector> {
+    let columns = momentum_columns(graph, tree, |graph, _| graph.zero_vector());
+    columns.into_iter().map(|column| column.angular).collect()
+}
+
+/// Momenta for a unit of each speed, about this point.
+fn momentum_columns(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    about: fn(&mut ExprGraph, &Tree) -> Vector,
+) -> Vec<Momentum> {
     let relative = orientation::relative(graph, tree);
     let partials = velocity::partials(graph, tree, &relative);
-    let places = places(graph, tree, &relative);
+    let places = places(graph, tree, &relative, about);
     let zero = Momentum::zero(graph);
     let mut columns = vec![zero; tree.n_speeds];
     for body in tree.body_ids() {
@@ -83,7 +98,7 @@ pub fn momentum_matrix(graph: &mut ExprGraph, tree: &Tree) -> Vec<Momentum> {
 pub fn momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree) -> Momentum {
     let motion = velocity::accelerations(graph, tree, Accelerations::Zero);
     let rotational = &motion.rotational;
-    let places = places(graph, tree, &rotational.relative);
+    let places = places(graph, tree, &rotational.relative, position);
     let mut sum = Momentum::zero(graph);
     for body in tree.body_ids() {
         graph.enter(body);
@@ -108,13 +123,18 @@ pub fn momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree) -> Momentum {
 struct Place {
     /// Body components to inertial ones.
     back: Matrix,
-    /// From the mass centre of all bodies to the body's, inertial components.
+    /// From the point that moments are about to the body's mass centre, inertial components.
     center: Vector,
 }
 
-fn places(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) -> BodyMap<Place> {
+fn places(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    relative: &BodyMap<Matrix>,
+    about: fn(&mut ExprGraph, &Tree) -> Vector,
+) -> BodyMap<Place> {
     graph.begin(Purpose::Momentum);
-    let of_all = position(graph, tree);
+    let point = about(graph, tree);
     let rotations = orientation::absolute(graph, tree, relative);
     let origins = position::origin(graph, tree, relative);
     let centers = position::mass_center(graph, tree, &origins);
@@ -122,7 +142,7 @@ fn places(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) -> Bod
         graph.enter(body);
         let back = transpose(&rotations[body]);
         let center = graph.mul_vector(&back, centers[body]);
-        let center = graph.sub_vectors(center, of_all);
+        let center = graph.sub_vectors(center, point);
         Place { back, center }
     })
 }

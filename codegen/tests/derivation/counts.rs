@@ -305,15 +305,18 @@ fn systems_of_robots() {
     insta::assert_snapshot!(of_robots(&OF_SYSTEMS));
 }
 
-const ENERGIES: [&str; 14] = [
+const ENERGIES: [&str; 17] = [
     "kinetic_energy",
     "potential_energy",
     "linear_momentum",
     "angular_momentum",
     "d(kinetic_energy)/d(q, u)",
     "d(kinetic_energy)/d(u)",
+    "d(angular_momentum)/d(q, u)",
     "d(angular_momentum)/d(u)",
+    "d(centroidal_momentum_matrix_dot_u)/d(q, u)",
     "d(center_of_mass)/d(q)",
+    "d(center_of_mass_velocity)/d(q, u)",
     "d(center_of_mass_jacobian)/d(q)",
     "d(potential_energy)/d(q)",
     "vjp(angular_momentum; q, u)",
@@ -366,6 +369,7 @@ fn the_cheapest_is_never_dearer_than_either_formulation() {
         "d(bias)/d(q)",
         "d(kinetic_energy)/d(q, u)",
         "d(kinetic_energy)/d(u)",
+        "d(angular_momentum)/d(q, u)",
         "d(angular_momentum)/d(u)",
         "d(center_of_mass)/d(q)",
         "d(center_of_mass_jacobian)/d(q)",

@@ -38,6 +38,10 @@ pub(super) const CENTER_OF_MASS_VELOCITY: Function = Function {
         "Masses that are zero at run time alone give NaN.",
     ],
     derivatives_are: &[(Argument::U, &CENTER_OF_MASS_JACOBIAN)],
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::totals::center_velocity,
+    )),
+    derivatives_like: Some(&CENTER_OF_MASS_JACOBIAN),
     derivation: either!(kane::center::velocity, totals::center::velocity),
     ..PLAIN
 };
@@ -78,6 +82,10 @@ pub(super) const CENTER_OF_MASS_JACOBIAN_DOT_U: Function = Function {
         "acceleration is `J u_dot` and this, without gravity. Also known as com drift. Zero where no body has mass; masses that are zero at run",
         "time alone give NaN.",
     ],
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::totals::center_jacobian_dot_u,
+    )),
+    derivatives_like: Some(&CENTER_OF_MASS_JACOBIAN),
     derivation: either!(kane::center::jacobian_dot_u, totals::center::jacobian_dot_u),
     ..PLAIN
 };
@@ -135,6 +143,10 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX_DOT_U: Function = Function {
         "Rates of linear momentum, {linear}, and of angular momentum about the mass centre, {angular}, of all bodies for `u_dot = 0`: inertial components.",
         "With the centroidal momentum matrix `A_G`, their rates are `A_G u_dot` and this. Also known as `A_G_dot u`, centroidal bias, hdot drift.",
     ],
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::totals::momentum_rate,
+    )),
+    derivatives_like: Some(&CENTROIDAL_MOMENTUM_MATRIX),
     derivation: either!(
         kane::center::momentum_matrix_dot_u,
         totals::center::momentum_matrix_dot_u

@@ -83,7 +83,19 @@ pub(super) const ANGULAR_MOMENTUM: Function = Function {
         roots::jacobians::totals::angular_momentum,
     )),
     derivatives_like: Some(&CENTROIDAL_MOMENTUM_MATRIX),
+    derivatives_are: &[(Argument::U, &ANGULAR_MOMENTUM_MATRIX)],
     derivation: either!(kane::energy::angular_momentum, totals::momentum::angular),
+    ..PLAIN
+};
+
+/// The derivatives of angular momentum by speeds alone; not in the catalogue.
+const ANGULAR_MOMENTUM_MATRIX: Function = Function {
+    name: "angular_momentum_matrix",
+    arguments: &[Argument::Q],
+    derivation: either!(
+        kane::center::angular_about_origin,
+        totals::momentum_matrix::angular_about_origin
+    ),
     ..PLAIN
 };
 

@@ -5,8 +5,8 @@ use super::{
     begun::Begins,
     column::DerivativeColumn,
     found::Derivatives,
+    passing::Passing,
     reader::Reader,
-    start::Start,
     way::At,
 };
 use crate::{
@@ -14,29 +14,18 @@ use crate::{
     id::BodyId,
     recursive::{
         links::{
-            passage::{Drive, Passenger, speeds},
+            passage::{Drive, Passenger},
             rotation::Turn,
-            wrench::Wrench,
         },
-        matrices::{
-            moments::{Changing, Moments, Rates},
-            shortcut::Shortcuts,
-            speed_matrix,
-        },
+        matrices::{shortcut::Shortcuts, speed_matrix},
     },
     tree::Motion,
 };
 
 /// A composite body and the columns of what it carries, on their way inward through a joint.
 pub(super) struct Carried<'a, 'b> {
-    pub(super) body: BodyId,
+    pub(super) passing: Passing<'a>,
     pub(super) shortcuts: &'a mut Shortcuts<'b>,
-    pub(super) moments: Moments,
-    /// Doubled.
-    pub(super) rates: Rates,
-    pub(super) wrench: Wrench,
-    /// The rest of the way.
-    pub(super) way: &'a [At],
     pub(super) columns: Vec<DerivativeColumn>,
     pub(super) found: &'a mut Derivatives,
     /// Where columns begin.
@@ -51,32 +40,18 @@ pub(super) struct Carried<'a, 'b> {
 
 impl Carried<'_, '_> {
     fn next(&mut self) -> At {
-        let (at, rest) = self
-            .way
-            .split_last()
-            .expect("derivatives: the way inward is the way outward");
-        self.way = rest;
         self.step += 1;
-        *at
+        self.passing.next()
     }
 
     /// Sends columns ahead from where they have been read.
     fn send(&mut self, graph: &mut ExprGraph) {
         if let Some(ahead) = self.ahead {
-            let Self { body, step, .. } = *self;
-            let from = Place { body, step };
+            let from = Place {
+                body: self.passing.body,
+                step: self.step,
+            };
             ahead.send(graph, from, &mut self.columns, self.shortcuts, self.found);
-        }
-    }
-
-    /// What columns begin with that begin here.
-    fn start(&self, at: &At) -> Start {
-        Start {
-            body: self.body,
-            moments: self.moments,
-            rates: self.rates,
-            wrench: self.wrench,
-            at: *at,
         }
     }
 
@@ -133,7 +108,7 @@ impl Carried<'_, '_> {
     /// Begins the columns of turns that enter together, and reads them; `own` is the angular velocity that enters with them, where that
     /// has several components.
     fn begin(&mut self, graph: &mut ExprGraph, at: &At, readers: &[Reader], own: Option<Vector>) {
-        let (start, is_hinge) = (self.start(at), own.is_none());
+        let (start, is_hinge) = (self.passing.start(at), own.is_none());
         let own = own.unwrap_or_else(|| graph.zero_vector());
         let begun = readers
             .iter()
@@ -146,7 +121,7 @@ impl Carried<'_, '_> {
     /// All of it to the axes before a rotation, seen from there.
     fn turn_back(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         if let Drive::Angle(axis, _) = drive {
-            let at = (self.body, axis);
+            let at = (self.passing.body, axis);
             let shortcut = self.shortcuts.send(graph, at, self.columns.iter_mut());
             for column in &mut self.columns {
                 column.before_turn(graph, axis, shortcut);
@@ -155,13 +130,7 @@ impl Carried<'_, '_> {
         for column in &mut self.columns {
             column.turn(graph, rotation);
         }
-        graph.enter(self.body);
-        self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
-        let w = drive.speeds(graph);
-        let w = graph.doubled(w);
-        self.rates = self
-            .rates
-            .undriven(graph, &mut self.moments, rotation, (drive, w));
+        self.passing.turn_back(graph, rotation, drive);
     }
 }
 
@@ -171,10 +140,7 @@ impl Passenger for Carried<'_, '_> {
         for column in &mut self.columns {
             column.reach(graph, offset, next);
         }
-        graph.enter(self.body);
-        self.wrench = self.wrench.moved(graph, offset);
-        self.rates = self.rates.moved(graph, offset);
-        self.moments = self.moments.moved(graph, offset);
+        self.passing.shift(graph, offset);
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
@@ -220,7 +186,7 @@ impl Passenger for Carried<'_, '_> {
             .map(|(axis, motion)| Reader::of_shift(graph, motion, axis, &at))
             .collect();
         self.read(graph, &readers);
-        let start = self.start(&at);
+        let start = self.passing.start(&at);
         let begun = readers
             .iter()
             .filter_map(|reader| self.begins.shift(graph, &start, reader));
@@ -228,9 +194,6 @@ impl Passenger for Carried<'_, '_> {
         self.read_begun(graph, &readers, &begun);
         self.columns.extend(begun);
         self.send(graph);
-        graph.enter(self.body);
-        let own = speeds(graph, motions);
-        let own = graph.doubled(own);
-        self.rates = self.rates.carried(graph, &self.moments, own);
+        self.passing.along(graph, motions);
     }
 }

@@ -7,6 +7,7 @@ use super::{
     carried::Carried,
     column::DerivativeColumn,
     found::Derivatives,
+    passing::Passing,
     sides::on_sides,
     wanted::Wanted,
     way::Went,
@@ -14,13 +15,7 @@ use super::{
 use crate::{
     expr::{Expr, ExprGraph, LANES},
     id::BodyMap,
-    recursive::{
-        links::{linkage::Linkage, wrench::Wrench},
-        matrices::{
-            moments::{Changing, Moments, Rates},
-            shortcut::Shortcuts,
-        },
-    },
+    recursive::{links::linkage::Linkage, matrices::shortcut::Shortcuts},
 };
 
 /// The way inward of columns that nothing joins.
@@ -115,21 +110,9 @@ impl Inward<'_> {
         let mut columns = alike.to_vec();
         let mut next = Some(from);
         while let Some(Place { body, step: entry }) = next {
-            let nothing = graph.zero_vector();
             let mut carried = Carried {
-                body,
+                passing: Passing::nothing(graph, body, &self.ways[body].at_motions),
                 shortcuts: &mut *shortcuts,
-                moments: Moments {
-                    mass: graph.zero(),
-                    first: nothing,
-                    second: graph.zero_symmetric(),
-                },
-                rates: Rates::zero(graph),
-                wrench: Wrench {
-                    force: nothing,
-                    moment: nothing,
-                },
-                way: &self.ways[body].at_motions,
                 columns,
                 found: &mut found,
                 begins: &mut Begins::Nowhere,

@@ -8,6 +8,8 @@
 //! So a column begins with two wrenches that its masses need more, by its coordinate and by its speed. They pass inward with the
 //! column's momentum and couple, and every motion farther in reads its rows off the wrenches, and the mirrored entries off momentum
 //! and couple, as for the Coriolis matrix. All that is linear in velocities passes doubled.
+//!
+//! What all bodies need together changes as the columns' wrenches say where they have come to the inertial frame (`resultant`).
 
 mod ahead;
 mod begun;
@@ -16,7 +18,9 @@ mod column;
 mod displaced;
 mod found;
 mod lockstep;
+mod passing;
 mod reader;
+pub mod resultant;
 mod sides;
 mod start;
 mod wanted;
@@ -32,12 +36,13 @@ use self::{
     carried::Carried,
     column::DerivativeColumn,
     lockstep::Inward,
+    passing::Gathering,
     way::{Went, ways},
 };
 use super::{
     forces::loaded,
-    links::{linkage::Linkage, totalled::Addend, wrench::Wrench},
-    matrices::{gathered::Gathered, moments::Rates, shortcut::Shortcuts},
+    links::{linkage::Linkage, wrench::Wrench},
+    matrices::shortcut::Shortcuts,
     plan::{Plan, Technique},
 };
 use crate::{
@@ -132,8 +137,7 @@ impl Sweep<'_> {
     fn run(&self, graph: &mut ExprGraph, begins: &mut Begins) -> Derivatives {
         let Self { linkage, ways, .. } = self;
         let tree = linkage.tree;
-        let mut wrenches = self.wrenches.clone();
-        let mut gathered = Gathered::<Rates>::new(graph, linkage);
+        let mut gathering = Gathering::new(graph, linkage, ways, &self.wrenches);
         let mut columns =
             BodyMap::outward(tree.bodies.len(), |_, _| Vec::<DerivativeColumn>::new());
         let mut shortcuts = Shortcuts::new(graph, linkage);
@@ -147,12 +151,8 @@ impl Sweep<'_> {
         for body in tree.body_ids().rev() {
             graph.enter(body);
             let mut carried = Carried {
-                body,
+                passing: gathering.at(body),
                 shortcuts: &mut shortcuts,
-                moments: gathered.moments[body],
-                rates: gathered.rates[body],
-                wrench: wrenches[body],
-                way: &ways[body].at_motions,
                 columns: std::mem::take(&mut columns[body]),
                 found: &mut found,
                 begins,
@@ -162,20 +162,16 @@ impl Sweep<'_> {
             };
             linkage.passages[body].inward(graph, &mut carried);
             let Carried {
-                moments: arrived,
-                rates: changing,
-                wrench,
+                passing,
                 columns: others,
                 ..
             } = carried;
             if let Some(lower) = tree.lower(body) {
-                let come = (&arrived, &changing);
-                Gathered::hint(graph, come);
-                for column in &others {
-                    column.hint(graph, tree, lower);
-                }
-                gathered.add(graph, lower, come);
-                wrenches[lower] = wrenches[lower].plus(graph, &wrench);
+                gathering.add(graph, lower, &passing, |graph| {
+                    for column in &others {
+                        column.hint(graph, tree, lower);
+                    }
+                });
                 columns[lower].extend(others);
                 if let Some(ahead) = ahead {
                     let from = Place::at_link(lower);

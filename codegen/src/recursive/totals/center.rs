@@ -92,7 +92,11 @@ pub(super) fn moment_rate(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Li
 
 /// From the origin of the first link on the inertial frame to the mass centre, inertial components; zero where no body has
 /// mass.
-pub(super) fn from_first(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> Vector {
+pub(in crate::recursive) fn from_first(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    links: &BodyMap<Link>,
+) -> Vector {
     let moment = whole(graph, tree, links, false).moment;
     given::over_total_mass(graph, tree, moment)
 }

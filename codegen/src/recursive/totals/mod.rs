@@ -8,4 +8,4 @@ pub mod center;
 pub mod energy;
 pub mod momentum;
 pub mod momentum_matrix;
-mod stands;
+pub(in crate::recursive) mod stands;

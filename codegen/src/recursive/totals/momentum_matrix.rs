@@ -33,28 +33,21 @@ pub fn momentum_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<M
     summed(graph, &linkage, &stands)
 }
 
-/// The columns of the momentum matrix about the inertial origin, inertial components, one a speed.
-pub fn about_origin(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Momentum> {
+/// The columns of the angular momentum about the inertial origin, inertial components, one a speed.
+pub fn angular_about_origin(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Vector> {
     let linkage = Linkage::of_speeds(graph, tree, plan);
     let stands = Stands::new(graph, &linkage, Wanted::AboutOrigin);
-    summed(graph, &linkage, &stands)
+    let columns = summed(graph, &linkage, &stands).into_iter();
+    columns.map(|column| column.angular).collect()
 }
 
 /// The partial velocities of the mass centre, inertial components, one a speed; zero where no body has mass.
 pub fn center_jacobian(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Vector> {
     let plan = root::kept_whole(tree, plan);
     let linkage = Linkage::of_speeds(graph, tree, &plan);
-    let Some(by_mass) = given::inverse_total_mass(graph, tree) else {
+    let Some([first, last]) = stands::by_mass(graph, &linkage) else {
         return vec![graph.zero_vector(); tree.n_speeds];
     };
-    // A changed mass is to change nothing of bodies that are not on its path.
-    let is_first = stands::stay_apart(graph, &linkage);
-    let factors = if is_first {
-        [by_mass, graph.one()]
-    } else {
-        [graph.one(), by_mass]
-    };
-    let [first, last] = factors;
     let stands = Stands::new(graph, &linkage, Wanted::Times(first));
     let columns = summed(graph, &linkage, &stands).into_iter();
     graph.enter(None);
@@ -161,12 +154,17 @@ impl Carried<'_> {
 
     /// Sends all columns to inertial axes, from an origin that lies at `offset` from that of the stand.
     fn leave(&mut self, graph: &mut ExprGraph, stand: &Stand, offset: Vector) {
+        let from_point = stand.from_point(graph, offset);
         for column in &mut self.columns {
-            stand.shift(graph, column, offset);
+            column.shift(graph, from_point);
         }
         self.through_center.append(&mut self.columns);
         for column in &mut self.through_center {
-            stand.turn(graph, column);
+            if stand.has_factor() {
+                column.turn_with_all(graph, stand.rotation());
+            } else {
+                column.turn(graph, stand.rotation());
+            }
         }
     }
 }

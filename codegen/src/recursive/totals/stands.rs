@@ -2,6 +2,7 @@
 
 use crate::{
     expr::{Expr, ExprGraph, Matrix, Purpose, Vector, transpose},
+    given,
     id::{BodyId, BodyMap},
     recursive::{
         links::{
@@ -10,7 +11,6 @@ use crate::{
             root,
             rotation::Turn,
         },
-        matrices::column::Column,
         plan::{Plan, Technique},
     },
     tree::Motion,
@@ -26,7 +26,7 @@ fn many(plan: &Plan) -> Option<usize> {
 
 /// How axes stand in the inertial frame.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stand {
+pub(in crate::recursive) struct Stand {
     /// Inertial components to those along the axes, times the factor.
     rotation: Matrix,
     has_factor: bool,
@@ -35,19 +35,19 @@ pub(super) struct Stand {
 }
 
 impl Stand {
-    /// Moves a column to the point, from an origin that lies at `offset`.
-    pub(super) fn shift(&self, graph: &mut ExprGraph, column: &mut Column, offset: Vector) {
-        let from_point = graph.sub_vectors(offset, self.point);
-        column.shift(graph, from_point);
+    /// From the point to an origin that lies at `offset`.
+    pub(in crate::recursive) fn from_point(&self, graph: &mut ExprGraph, offset: Vector) -> Vector {
+        graph.sub_vectors(offset, self.point)
     }
 
-    /// Turns a column to inertial axes.
-    pub(super) fn turn(&self, graph: &mut ExprGraph, column: &mut Column) {
-        if self.has_factor {
-            column.turn_with_all(graph, &self.rotation);
-        } else {
-            column.turn(graph, &self.rotation);
-        }
+    /// The rotation from inertial axes, times the factor.
+    pub(in crate::recursive) fn rotation(&self) -> &Matrix {
+        &self.rotation
+    }
+
+    /// True where there is a factor of all bodies.
+    pub(super) fn has_factor(&self) -> bool {
+        self.has_factor
     }
 
     fn at_root(self, graph: &mut ExprGraph, linkage: &Linkage<'_>, body: BodyId) -> Self {
@@ -82,7 +82,7 @@ pub(super) fn turned(graph: &mut ExprGraph, to_axes: &Matrix, rotation: &dyn Tur
 
 /// What columns are to be in the end.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Wanted {
+pub(in crate::recursive) enum Wanted {
     /// Momenta about the mass centre, which is given from the origin of the first link on the inertial frame.
     AboutCenter(Vector),
     /// Momenta about the inertial origin.
@@ -92,17 +92,21 @@ pub(super) enum Wanted {
 }
 
 /// The inertial frame itself, and links that carry many columns, where the plan has these go to inertial axes at once.
-pub(super) struct Stands {
-    pub(super) links: BodyMap<Option<Stand>>,
+pub(in crate::recursive) struct Stands {
+    pub(in crate::recursive) links: BodyMap<Option<Stand>>,
     /// About the origin of each link on the inertial frame.
     inertial: Stand,
     /// True where the momentum of all bodies shifted as one has no moment, or none that is read.
-    pub(super) ignores_shifts: bool,
+    pub(in crate::recursive) ignores_shifts: bool,
 }
 
 impl Stands {
     /// As the plan of the links has it.
-    pub(super) fn new(graph: &mut ExprGraph, linkage: &Linkage<'_>, wanted: Wanted) -> Self {
+    pub(in crate::recursive) fn new(
+        graph: &mut ExprGraph,
+        linkage: &Linkage<'_>,
+        wanted: Wanted,
+    ) -> Self {
         let Linkage {
             tree, links, plan, ..
         } = linkage;
@@ -151,7 +155,7 @@ impl Stands {
     }
 
     /// The inertial frame, where a link on it has its origin.
-    pub(super) fn at_root(
+    pub(in crate::recursive) fn at_root(
         &self,
         graph: &mut ExprGraph,
         linkage: &Linkage<'_>,
@@ -161,8 +165,22 @@ impl Stands {
     }
 }
 
+/// The factors by which linear momenta become partial velocities of the mass centre, the first on the way to inertial axes, the last there;
+/// `None` where no body has mass. A changed mass is to change nothing of bodies that are not on its path.
+pub(in crate::recursive) fn by_mass(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+) -> Option<[Expr; 2]> {
+    let by_mass = given::inverse_total_mass(graph, linkage.tree)?;
+    Some(if stay_apart(graph, linkage) {
+        [by_mass, graph.one()]
+    } else {
+        [graph.one(), by_mass]
+    })
+}
+
 /// True where constant rotations have no entries but 0, 1 and -1: with others, a factor of all bodies would be folded into numbers of one.
-pub(super) fn stay_apart(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> bool {
+fn stay_apart(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> bool {
     let Linkage { tree, links, .. } = linkage;
     graph.begin(Purpose::Outward);
     tree.body_ids().all(|body| {

@@ -11,8 +11,9 @@ use crate::{
     kane::center::Momentum,
     recursive::{
         Plan,
+        derivatives::resultant::{self, Resultant},
         forces::gravity,
-        totals::{energy, momentum, momentum_matrix},
+        totals::energy,
     },
     tree::Tree,
 };
@@ -65,8 +66,9 @@ pub(in crate::functions) fn linear_momentum(
     tree: &Tree,
     plan: &Plan,
 ) -> Jacobians {
-    let momentum = momentum::linear(graph, tree, plan);
-    of_momentum(graph, tree, plan, momentum, |own| own.linear)
+    of_resultant(&resultant::of_momentum(graph, tree, plan), |own| {
+        vec![own.linear]
+    })
 }
 
 pub(in crate::functions) fn angular_momentum(
@@ -74,30 +76,56 @@ pub(in crate::functions) fn angular_momentum(
     tree: &Tree,
     plan: &Plan,
 ) -> Jacobians {
-    let momentum = momentum::angular(graph, tree, plan);
-    of_momentum(graph, tree, plan, momentum, |own| own.angular)
+    of_resultant(&resultant::of_momentum(graph, tree, plan), |own| {
+        vec![own.angular]
+    })
 }
 
-/// By speeds the columns of the momentum matrix.
-fn of_momentum(
+pub(in crate::functions) fn momentum_rate(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-    momentum: Vector,
-    part: fn(&Momentum) -> Vector,
 ) -> Jacobians {
-    let columns = momentum_matrix::about_origin(graph, tree, plan);
-    let row = |axis: usize| columns.iter().map(|own| part(own)[axis]).collect();
-    let by_u = (0..3).map(row).collect();
+    of_resultant(&resultant::of_momentum_rate(graph, tree, plan), |own| {
+        vec![own.linear, own.angular]
+    })
+}
+
+pub(in crate::functions) fn center_velocity(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Jacobians {
+    of_resultant(&resultant::of_center_velocity(graph, tree, plan), |own| {
+        vec![own.linear]
+    })
+}
+
+pub(in crate::functions) fn center_jacobian_dot_u(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Jacobians {
+    of_resultant(
+        &resultant::of_center_acceleration(graph, tree, plan),
+        |own| vec![own.linear],
+    )
+}
+
+/// Of parts of a resultant, a row for each component.
+fn of_resultant(found: &Resultant, parts: fn(&Momentum) -> Vec<Vector>) -> Jacobians {
+    let matrix = |columns: &[Momentum]| {
+        let columns: Vec<Vec<Expr>> = columns.iter().map(|own| parts(own).concat()).collect();
+        let n_rows = columns.first().map_or(0, Vec::len);
+        let row = |row: usize| columns.iter().map(|column| column[row]).collect();
+        (0..n_rows).map(row).collect()
+    };
     Jacobians {
         by: vec![
-            (
-                Argument::Q,
-                swept(graph, tree, Argument::Q, Sweep::Forward, &momentum),
-            ),
-            (Argument::U, by_u),
+            (Argument::Q, matrix(&found.by_q)),
+            (Argument::U, matrix(&found.by_u)),
         ],
-        values: Some(momentum.to_vec()),
+        values: Some(parts(&found.whole).concat()),
         mass: None,
     }
 }
