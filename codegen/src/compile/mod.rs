@@ -8,7 +8,6 @@ mod branches;
 mod cheapest;
 mod choose;
 mod fields;
-mod in_vain;
 mod notes;
 mod option_check;
 mod pipeline;
@@ -17,15 +16,16 @@ mod plans;
 mod search;
 mod size_check;
 mod sweeps;
+mod warnings;
 
 pub use cheapest::cheapest;
 pub use choose::{Choice, choose, of_formulation};
-pub(crate) use in_vain::warnings;
 pub(crate) use notes::cost_no_more as notes_cost_no_more;
 pub(crate) use option_check::check as check_options;
 pub use planned::{Planned, by_plan, cost, operations};
 pub use plans::Plans;
 pub use size_check::check as check_size;
+pub(crate) use warnings::warnings;
 
 use pipeline::Lowering;
 

@@ -16,7 +16,7 @@ use crate::{
 };
 
 /// How many terms of a mass matrix take the memory of one of forces.
-const ACCELERATION: usize = 8;
+const FORCES_WEIGHT: usize = 8;
 
 /// How many times as much as the values products with derivatives are.
 const PRODUCT: usize = 4;
@@ -46,7 +46,7 @@ fn check_companions(
     let evaluated: Vec<Request> = evaluated.collect();
     let terms = |request: &Request| {
         let is_of_forces = request.arguments().contains(&Argument::U) && !request.solves();
-        request.literal_terms(tree) * if is_of_forces { ACCELERATION } else { 1 }
+        request.literal_terms(tree) * if is_of_forces { FORCES_WEIGHT } else { 1 }
     };
     let verb = "have for the tests";
     bound_sum(verb, &evaluated, terms, "terms", limits::EVALUATED_TERMS)

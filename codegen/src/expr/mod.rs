@@ -3,8 +3,8 @@
 //! In: calls that add, multiply, divide, take sines. Out: [`Expr`]s of one [`ExprGraph`].
 //! Afterwards: equal expressions are one node; no operation has only numbers for operands, no operand is a
 //! zero or a one that could be left out, and signs stand on references, never in nodes of their own.
-//! Does not: reorder sums, distribute products, or know mechanics: of bodies it knows the numbers alone, of which inputs are
-//! told by, and which are scopes, where the greater number is further out.
+//! Does not: reorder sums, distribute products, or know mechanics: of bodies it knows nothing but their numbers. Inputs carry them, and they are
+//! the order of scopes: the greater one is further out.
 
 mod calls;
 mod copy;

@@ -265,7 +265,7 @@ impl Shape {
         })
     }
 
-    /// True where some dimension counts this.
+    /// True where some dimension of the array counts this; that of a variable it is differentiated by does not matter.
     pub fn has(self, dimension: Dimension) -> bool {
         self.dimensions.contains(&dimension)
     }

@@ -7,7 +7,7 @@ use crate::tree::changes::Changes;
 use crate::tree::joints::{self, ResolvedJoint};
 use crate::tree::rotations::{ConstantRotations, Snapped, exact};
 use crate::tree::system::Tree;
-use crate::tree::{crumbs, inertia, massless, mobility, names, numbering, units};
+use crate::tree::{inertia, massless, mobility, names, nonzeros, numbering, units};
 
 /// What rounding alone leaves of a zero in a rotation.
 const ROUNDING: f64 = 1e-15;
@@ -128,7 +128,7 @@ fn saved(settled: Settled<'_>, snapped: &Snapped, tree: &Tree) -> bool {
         ..settled
     };
     let before = assemble(before, &mut Vec::new());
-    before.is_none_or(|before| crumbs::entries(tree) < crumbs::entries(&before))
+    before.is_none_or(|before| nonzeros::count(tree) < nonzeros::count(&before))
 }
 
 /// The joints, if they stand; motions that may yet be held are not judged.

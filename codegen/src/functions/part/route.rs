@@ -84,9 +84,10 @@ impl Part {
     /// The functions whose plans suit the direct way: that whose entries derivatives are, and the one that is said to be like them.
     pub(in crate::functions) fn alike(&self) -> Vec<Self> {
         let functions = match self.direct() {
-            None => [None; 2],
+            // Products with derivatives of accelerations take one more solution, by the plan of the first.
+            None | Some(Direct::Solved(_)) => [None; 2],
             Some(Direct::Function(function)) => [self.function.derivatives_like, Some(function)],
-            Some(_) => [self.function.derivatives_like, None],
+            Some(Direct::Matrices(_) | Direct::Second(_)) => [self.function.derivatives_like, None],
         };
         let functions = functions.into_iter().flatten();
         let part = |function| Self {

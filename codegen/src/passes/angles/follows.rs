@@ -22,11 +22,14 @@ pub(super) struct Follows {
 
 impl Follows {
     /// Of the longest angles that are part of it, one after the other. `None` where something is left that none of them has.
-    /// Short ones are taken before long ones.
+    /// Short ones are taken before long ones. `None` too where there are so many that a sine and a cosine cost less.
     pub(super) fn of_longest(sum: &Sum, taken: &[(NodeId, &Sum)]) -> Option<Self> {
         let mut rest = sum.clone();
         let mut angles = Vec::new();
         while !rest.varying.is_empty() {
+            if angles.len() == MOST_TERMS {
+                return None;
+            }
             let (angle, is_negative, left) = without_longest(&rest, taken)?;
             angles.push((angle, is_negative));
             rest = left;

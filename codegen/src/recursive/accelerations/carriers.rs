@@ -29,15 +29,13 @@ pub(in crate::recursive) fn carriers(graph: &mut ExprGraph, linkage: &Linkage<'_
         return carriers;
     }
     graph.begin(Purpose::Composite);
-    let roots = BodyMap::outward(tree.bodies.len(), |body, roots: &BodyMap<_>| {
+    let roots = BodyMap::outward(tree.bodies.len(), |body, roots: &BodyMap<BodyId>| {
         let lower = tree.lower(body);
-        lower.map_or(Some(body), |lower| roots[lower])
+        lower.map_or(body, |lower| roots[lower])
     });
     let carry = carrying(tree);
     for body in tree.body_ids() {
-        let Some(root) = roots[body] else {
-            continue;
-        };
+        let root = roots[body];
         let Some(root_speeds) = speeds_of_root(linkage, root) else {
             continue;
         };

@@ -56,18 +56,16 @@ impl<'a> Gathering<'a> {
         }
     }
 
-    /// Adds what has come to a link; names are given before it is added.
+    /// Adds what has come to a link, once it and its columns are named.
     pub(super) fn add(
         &mut self,
         graph: &mut ExprGraph,
         lower: BodyId,
         come: &Passing<'_>,
-        name: impl FnOnce(&mut ExprGraph),
+        name_columns: impl FnOnce(&mut ExprGraph),
     ) {
         let moments = (&come.moments, &come.rates);
-        Gathered::hint(graph, moments);
-        name(graph);
-        self.moments.add(graph, lower, moments);
+        self.moments.add(graph, lower, moments, name_columns);
         self.wrenches[lower] = self.wrenches[lower].plus(graph, &come.wrench);
     }
 }

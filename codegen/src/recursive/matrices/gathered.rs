@@ -23,19 +23,17 @@ impl<R: Changing> Gathered<R> {
         }
     }
 
-    /// Names what has come to a link, before columns that have come with it are named.
-    pub(in crate::recursive) fn hint(graph: &mut ExprGraph, (arrived, changing): (&Moments, &R)) {
-        arrived.hint(graph, "composite_on_lower");
-        changing.hint(graph, "composite_on_lower");
-    }
-
-    /// Adds what has come to a link through a joint on it.
+    /// Adds what has come to a link through a joint on it, once it is named, and the columns that have come with it are.
     pub(in crate::recursive) fn add(
         &mut self,
         graph: &mut ExprGraph,
         lower: BodyId,
         (arrived, changing): (&Moments, &R),
+        name_columns: impl FnOnce(&mut ExprGraph),
     ) {
+        arrived.hint(graph, "composite_on_lower");
+        changing.hint(graph, "composite_on_lower");
+        name_columns(graph);
         graph.enter(lower);
         let (moments, rates) = (&mut self.moments[lower], &mut self.rates[lower]);
         *moments = moments.plus(graph, arrived);

@@ -55,12 +55,11 @@ pub fn mass_matrix_dot(
             ..
         } = carried;
         if let Some(lower) = tree.lower(body) {
-            let come = (&arrived, &changing);
-            Gathered::hint(graph, come);
-            for column in &others {
-                column.hint(graph, tree, lower);
-            }
-            gathered.add(graph, lower, come);
+            gathered.add(graph, lower, (&arrived, &changing), |graph| {
+                for column in &others {
+                    column.hint(graph, tree, lower);
+                }
+            });
             columns[lower].extend(others);
         }
     }

@@ -3,7 +3,7 @@
 //! In: links. Out: a [`SpeedMatrix`](crate::solve::SpeedMatrix). Each speed has a column, which passes inward and has its entries
 //! read off at the joints.
 
-pub(super) mod ahead;
+pub(super) mod axes_below;
 pub(super) mod column;
 pub mod composite;
 pub mod coriolis;

@@ -19,7 +19,7 @@ use super::{
         rotation::Turn,
     },
     matrices::{
-        ahead::{About, Ahead},
+        axes_below::{About, AxesBelow},
         shortcut::{Shortcut, Shortcuts},
     },
     plan::{Plan, Technique},
@@ -48,7 +48,7 @@ fn entries(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let motions = link_motion::motions(graph, &linkage, Accelerations::Given);
     graph.begin(Purpose::Regressor);
     let felt = BodyMap::outward(tree.bodies.len(), |body, _| motions[body].a);
-    let mut ahead = Ahead::new(graph, &linkage, felt);
+    let mut ahead = AxesBelow::new(graph, &linkage, felt);
     let mut columns = BodyMap::outward(tree.bodies.len(), |body, _| {
         let link = &linkage.links[body];
         let is_weighed = is_weighed(&ahead, &shared, body);
@@ -90,7 +90,7 @@ fn entries(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
 }
 
 /// True for a link that feels nothing but weight where its axis is, about which its user's first moments are then read.
-fn is_weighed(ahead: &Ahead<'_>, shared: &BodyMap<Shared>, body: BodyId) -> bool {
+fn is_weighed(ahead: &AxesBelow<'_>, shared: &BodyMap<Shared>, body: BodyId) -> bool {
     ahead.is_still(body) && shared[body].hinge_axis().is_some()
 }
 
@@ -102,7 +102,7 @@ struct Carried<'a, 'b> {
     hinge: Option<OnHinge>,
     columns: Vec<UnitColumn>,
     shortcuts: &'a mut Shortcuts<'b>,
-    ahead: &'a mut Ahead<'b>,
+    ahead: &'a mut AxesBelow<'b>,
     y: &'a mut [Expr],
 }
 

@@ -13,7 +13,7 @@ use crate::{
         links::{
             link::Link, link_motion::LinkMotion, linkage::Linkage, rotation::Turn, wrench::Wrench,
         },
-        matrices::{ahead::About, lever::Levered, shortcut::Next},
+        matrices::{axes_below::About, lever::Levered, shortcut::Next},
     },
     tree::Tree,
 };

@@ -107,7 +107,7 @@ fn arrived(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec
             body,
             composite,
             columns: std::mem::take(&mut columns[body]),
-            through_center: Vec::new(),
+            at_point: Vec::new(),
             is_alone: stands.ignores_shifts && lower.is_none() && n_roots == 1,
             stand: lower.and_then(|lower| stands.links[lower]),
         };
@@ -116,7 +116,7 @@ fn arrived(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec
             let (stand, nowhere) = (stands.at_root(graph, linkage, body), graph.zero_vector());
             carried.leave(graph, &stand, nowhere);
         }
-        arrived.extend(carried.through_center);
+        arrived.extend(carried.at_point);
         if let Some(lower) = lower {
             graph.enter(lower);
             composites[lower] = composites[lower].plus(graph, &carried.composite);
@@ -132,8 +132,8 @@ struct Carried<'a> {
     body: BodyId,
     composite: Composite,
     columns: Vec<Column>,
-    /// Those of motions that move the mass centre along an axis with all bodies.
-    through_center: Vec<Column>,
+    /// Those about the point of the stands: of shifts of all bodies, which have no moment about the mass centre, and what has left.
+    at_point: Vec<Column>,
     /// True for the only link on the inertial frame, with which all bodies move, if moments of its shifts are ignored.
     is_alone: bool,
     /// How the lower link stands, where columns leave it for inertial axes.
@@ -158,8 +158,8 @@ impl Carried<'_> {
         for column in &mut self.columns {
             column.shift(graph, from_point);
         }
-        self.through_center.append(&mut self.columns);
-        for column in &mut self.through_center {
+        self.at_point.append(&mut self.columns);
+        for column in &mut self.at_point {
             if stand.has_factor() {
                 column.turn_with_all(graph, stand.rotation());
             } else {
@@ -192,7 +192,7 @@ impl Passenger for Carried<'_> {
             self.columns.push(own);
         }
         self.composite = rotation.backward_composite(graph, &self.composite);
-        for column in self.columns.iter_mut().chain(&mut self.through_center) {
+        for column in self.columns.iter_mut().chain(&mut self.at_point) {
             column.turn(graph, rotation);
         }
         graph.enter(self.body);
@@ -205,7 +205,7 @@ impl Passenger for Carried<'_> {
             if self.is_alone {
                 let none = graph.zero_vector();
                 let own = self.column(graph, motion, 3 + axis, [linear, none]);
-                self.through_center.push(own);
+                self.at_point.push(own);
             } else {
                 let own = self.column(graph, motion, 3 + axis, [linear, angular]);
                 self.columns.push(own);

@@ -31,8 +31,8 @@ impl<'a> Carrying<'a> {
     pub(super) fn carries(&self, cause: SpeedId, speed: SpeedId) -> bool {
         let (below, own) = (self.places[cause.index()], self.places[speed.index()]);
         if below.0 != own.0 {
-            let path = std::iter::successors(self.tree.lower(own.0), |body| self.tree.lower(*body));
-            return path.into_iter().any(|body| body == below.0);
+            let mut below_own = self.tree.path(own.0).skip(1);
+            return below_own.any(|body| body == below.0);
         }
         let joint = &self.tree.body(own.0).joint;
         let is_before = joint.angular_velocity().is_some() || below.1 <= own.1;

@@ -18,7 +18,7 @@ use self::{
     velocities::{AtMotions, Velocity, velocities},
 };
 use super::{
-    ahead::{About, Ahead},
+    axes_below::{About, AxesBelow},
     gathered::Gathered,
     lever::Levered,
     moments::{Changing, Moments, Rates},
@@ -71,7 +71,7 @@ fn found(
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<CoriolisColumn>::new());
     let mut shortcuts = Shortcuts::new(graph, &linkage);
     let angular = BodyMap::outward(tree.bodies.len(), |body, _| velocities[body].velocity[0]);
-    let mut ahead = Ahead::new(graph, &linkage, angular);
+    let mut ahead = AxesBelow::new(graph, &linkage, angular);
     let mut c = zero_matrix(graph, tree.n_speeds);
     for body in tree.body_ids().rev() {
         graph.enter(body);
@@ -94,12 +94,11 @@ fn found(
             ..
         } = carried;
         if let Some(lower) = tree.lower(body) {
-            let come = (&arrived, &changing);
-            Gathered::hint(graph, come);
-            for column in &others {
-                column.hint(graph, tree, lower);
-            }
-            gathered.add(graph, lower, come);
+            gathered.add(graph, lower, (&arrived, &changing), |graph| {
+                for column in &others {
+                    column.hint(graph, tree, lower);
+                }
+            });
             columns[lower].extend(others);
         }
     }
@@ -116,7 +115,7 @@ struct Carried<'a, 'b> {
     velocities: &'a [AtMotions],
     columns: Vec<CoriolisColumn>,
     shortcuts: &'a mut Shortcuts<'b>,
-    ahead: &'a mut Ahead<'b>,
+    ahead: &'a mut AxesBelow<'b>,
     c: &'a mut SpeedMatrix,
     mass: Option<&'a mut SpeedMatrix>,
 }

@@ -25,7 +25,7 @@ pub(in crate::recursive) struct About {
 }
 
 /// The links from which it may be read ahead.
-pub(in crate::recursive) struct Ahead<'a> {
+pub(in crate::recursive) struct AxesBelow<'a> {
     linkage: &'a Linkage<'a>,
     /// Links that hinges alone carry, all of whose axes pass through the link's origin.
     is_still: BodyMap<bool>,
@@ -35,7 +35,7 @@ pub(in crate::recursive) struct Ahead<'a> {
     axes: BodyMap<Option<Vec<About>>>,
 }
 
-impl<'a> Ahead<'a> {
+impl<'a> AxesBelow<'a> {
     /// With the products of a vector of each link, link components, with its joint's axes: of its angular velocity these are how
     /// fast the axes turn, of the acceleration of its origin what they feel of a first moment.
     pub(in crate::recursive) fn new(

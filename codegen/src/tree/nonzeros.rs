@@ -10,7 +10,7 @@ use crate::tree::system::Tree;
 const ROUNDING: f64 = 1e-15;
 
 /// How many entries of constant rotations are not 0, 1 or -1, and how many components of offsets and inertias are not zero.
-pub(crate) fn entries(tree: &Tree) -> usize {
+pub(crate) fn count(tree: &Tree) -> usize {
     let not_zero = |vector: [f64; 3]| vector.into_iter().filter(|part| *part != 0.0).count();
     let bodies = tree.bodies.iter().map(|body| {
         let offset = not_zero(body.joint.attachment.nominal(&tree.parameters));
