@@ -57,7 +57,7 @@ impl Turning {
         [theta1, theta2, theta3]
     }
 
-    /// The rates of the angles, rad/s, Eq. (9); not finite at `cos(theta_2) = 0`.
+    /// The rates of the angles, rad/s, Eq. (9); meaningless near `cos(theta_2) = 0`: there they are huge or not finite.
     pub fn rates(&self) -> [f64; 3] {
         let [_, theta2, theta3] = self.angles();
         let ((s2, c2), (s3, c3)) = (sin_cos(theta2), sin_cos(theta3));

@@ -119,8 +119,8 @@ impl Error for CheckError {}
 /// # Errors
 /// The first failure, in the order of these checks, then of bodies and speeds: a body's
 /// angles too near their singularity, a pivot that does not exceed its limit, a result that is not finite. Lengths of quaternions are not
-/// checked.
-/// `u_dot` does not change. NaN never passes.
+/// checked, nor are arguments on which the result does not depend.
+/// `u_dot` does not change. A distance, pivot or result that is NaN never passes.
 pub fn forward_dynamics<R, S>(
     system: &S,
     q: &S::Q,

@@ -166,8 +166,8 @@ function_traits! {
     /// Rates of the three angles of each body from its relative angular velocity (body components, rad/s):
     /// the inverse of Eq. (8), Eq. (9), rad/s.
     ///
-    /// For bodies with all three angles free. Singular at `cos(theta_2) = 0`, where it gives infinities or
-    /// NaN; [`Singularity`] gives the distance from that.
+    /// For bodies with all three angles free. Singular at `cos(theta_2) = 0`, where it gives huge numbers, infinities
+    /// or NaN; [`Singularity`] gives the distance from that.
     "`{Self}` was generated without `angle_rates`; name it in `functions`, alone and not in a sum, and generate again"
     AngleRates: angle_rates(q: &Self::Q, w_rel: &Self::Vectors, out: &mut Self::Vectors);
 

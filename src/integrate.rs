@@ -15,7 +15,7 @@ use crate::{Array, Real};
 /// Advances `q` and `u` by `dt` (s) under generalized forces `tau` held constant over the step (zero-order hold).
 ///
 /// Evaluates the forward dynamics four times; the error of a step is of order `dt⁵`. Quaternions among the coordinates
-/// have length one after the step, to rounding where they have before it and bodies turn by less than a radian in it;
+/// have length one after the step, to rounding where they have before it and bodies turn by much less than a radian in it;
 /// [`scale_quaternions`](crate::manifold::scale_quaternions) gives them that length.
 ///
 /// ```

@@ -70,7 +70,7 @@ pub trait Real:
 
     /// Sine and cosine of an angle in rad.
     ///
-    /// For `f64` and `f32`, the error is below 0.8 ulp for `|x| <= 10000`. Far beyond that, from `2^30` in `f64` and from `2^16` in `f32`,
+    /// The error is below 0.85 ulp for `f64` and below 0.8 ulp for `f32`, for `|x| <= 10000`. Far beyond that, from `2^30` in `f64` and from `2^16` in `f32`,
     /// the results are meaningless: keep the angles of wheels small. They are in [-1, 1] for finite arguments, and NaN for others.
     /// No branch, no call, no fused multiply-add.
     #[must_use]

@@ -64,7 +64,7 @@ pub fn difference<R: Real>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 3] {
 /// The angular velocity of a frame turned by a rotation vector, inertial components, per rate of the vector: entry `[i][j]` is
 /// component `i` for a unit rate of entry `j`.
 ///
-/// The left Jacobian of SO(3). Its transpose, the right Jacobian, gives components along the frame's axes. Right to rounding at every length.
+/// The left Jacobian of SO(3). Its transpose, the right Jacobian, gives components along the frame's axes. Right to rounding up to the lengths for which [`exp`] is.
 pub fn exp_jacobian<R: Real>(vector: &[R; 3]) -> [[R; 3]; 3] {
     let [_, right] = turn::inverse_and_jacobian(*vector);
     transposed(&right)

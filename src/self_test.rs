@@ -134,9 +134,16 @@ pub fn mass_matrix_is_positive_definite<S: MassMatrix<f64>>(
         // A coordinate that moves no mass to speak of beside what moves with it.
         let rounding = n as f64 * f64::EPSILON * whole[pivot][pivot];
         if d.abs() <= rounding && rounding > 0.0 && rounding.is_finite() {
-            continue;
+            // Then it moves nothing else either: the square of an entry is at most the product of its pivots.
+            let is_nothing = |row: usize| {
+                let entry = m[row][pivot];
+                entry * entry <= 4.0 * rounding * whole[row][row]
+            };
+            if (0..pivot).all(is_nothing) {
+                continue;
+            }
         }
-        if !d.is_finite() || d <= 0.0 {
+        if !d.is_finite() || d <= rounding {
             return Err(Mismatch {
                 what: "mass matrix, pivot, which is to be positive",
                 place: pivot,

@@ -4,7 +4,8 @@
 //! The integrator is DOP853 (Hairer, Nørsett & Wanner 1993, II.10; the crate
 //! `differential-equations`): explicit, order 8 with an error estimate of orders 5 and 3. It steps to each
 //! output time exactly and interpolates nothing (the dense output of that crate's version 0.7.0 is of low order), so
-//! times closer than its own steps cost a step each. It is not for stiff systems, and reports them. At a discontinuity of
+//! times closer than its own steps cost a step each. Stiff systems take very many steps, and mostly end as
+//! [`SimulateError::MaxSteps`]. At a discontinuity of
 //! the control law its steps become tiny: simulate up to it and restart there.
 
 use core::cell::RefCell;
@@ -18,12 +19,12 @@ use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use differential_equations::traits::State;
 
 use crate::functions::ForwardDynamics;
-use crate::{Array, System};
+use crate::{Array, System, manifold};
 
 /// Error tolerances and the step limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// The local error allowed in each coordinate and speed, relative to its size. Default 1e-9.
+    /// The local error allowed, as a mean over all coordinates and speeds, relative to their sizes. Default 1e-9.
     pub relative: f64,
     /// The additional absolute local error allowed, rad, m, rad/s, m/s. Default 1e-12.
     pub absolute: f64,
@@ -193,7 +194,7 @@ pub fn simulate<S: ForwardDynamics<f64>>(
             }
         }
         let Point { mut q, u } = *method.y();
-        system.normalize(&mut q);
+        manifold::scale_quaternions(system, &mut q);
         samples.push(Sample { t, q, u });
     }
     Ok(samples)

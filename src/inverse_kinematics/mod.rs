@@ -44,11 +44,7 @@ use limits::rated_coordinates;
 /// The number of rounds, in one step, that hold joints at their limits and solve for the others again.
 const ROUNDS: usize = 8;
 
-/// The number of normalizations of quaternions: from a length of the square root of two to rounding.
-const NORMALIZATIONS: usize = 8;
-
-/// The least `f` in the damping `λ = f w`, where `w` is [`Remaining::weighted`]: a step is at most `1 / √(2 f)` long, two radians, from
-/// which quaternions recover.
+/// The least `f` in the damping `λ = f w`, where `w` is [`Remaining::weighted`]: a step is at most `1 / √(2 f)` long, two radians.
 const LEAST_FACTOR: f64 = 0.125;
 
 /// A solver for a system with `NQ` coordinates.
@@ -66,7 +62,7 @@ pub struct InverseKinematics<R, const NQ: usize> {
 /// A step, and the error before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step<R, const NU: usize> {
-    /// The speeds that lead as near to the goals as possible in unit time, for a constant `q_dot`: rad and m.
+    /// The speeds that lead as near to the goals as possible in unit time: rad and m.
     /// Divided by a time they are speeds for a controller.
     pub u: [R; NU],
     /// The error before the step.
@@ -103,29 +99,14 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
         }
     }
 
-    /// The coordinates after a step: `q_dot` for unit time, quaternions of length one, and every coordinate within its limits.
+    /// The coordinates after a step: [`q_plus`](manifold::q_plus), then every coordinate brought back to within its limits.
     pub fn advance<S, const NU: usize>(&self, system: &S, q: &[R; NQ], u: &[R; NU]) -> [R; NQ]
     where
         S: System<R, Q = [R; NQ], U = [R; NU]>,
     {
-        let mut next = *q;
-        let mut q_dot = [R::from_f64(0.0); NQ];
-        system.q_dot(q, u, &mut q_dot);
-        for (next, q_dot) in next.iter_mut().zip(q_dot) {
-            *next = *next + q_dot;
-        }
-        self.admit(system, &mut next);
+        let mut next = manifold::q_plus(system, q, u);
+        self.limits.clamp(&mut next);
         next
-    }
-
-    /// Brings quaternions to length one and coordinates to within their limits.
-    fn admit<S: System<R, Q = [R; NQ]>>(&self, system: &S, q: &mut [R; NQ]) {
-        manifold::scale_quaternions(system, q);
-        // Of quaternions that no table of joints has. Steps here are not as small as an integrator's.
-        for _ in 0..NORMALIZATIONS {
-            system.normalize(q);
-        }
-        self.limits.clamp(q);
     }
 
     /// Steps from `q` until the error is within the tolerance, or after `steps` steps; returns the error at the last `q`.
@@ -148,7 +129,8 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     {
         let (one, four) = (R::from_f64(1.0), R::from_f64(4.0));
         let (least, greatest) = (R::from_f64(LEAST_FACTOR), R::from_f64(1e6));
-        self.admit(system, q);
+        manifold::scale_quaternions(system, q);
+        self.limits.clamp(q);
         let mut equations = missing(system, goals, q);
         let mut damping = one;
         for _ in 0..steps {
@@ -169,7 +151,7 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
         equations.remaining
     }
 
-    /// Like [`Self::solve`], and if that does not reach the goals, again from other starting points: up to `starts` times in total,
+    /// Like [`Self::solve`], and if that does not reach the goals, again from other starting points: up to `starts` times in total, at least once,
     /// the first from `q`. `q` becomes the best found.
     ///
     /// Another starting point has each coordinate with two limits at a random value between them. Without them, an angle whose rate is a

@@ -3,8 +3,9 @@
 use kane::functions::{Jacobian, Pose};
 use kane::inverse_kinematics::{Goal, InverseKinematics, Limits};
 use kane::{Chart, Joint, Load, Real, System};
+use kane_test_support::compare::{assert_within, distance};
 
-use crate::common::one_coordinate;
+use crate::common::{Turning, one_coordinate};
 
 const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
@@ -171,5 +172,57 @@ fn what_is_missing_of_a_turn_is_along_its_axis_for_any_angle() {
             assert!(remaining.is_within(1e-12), "{axis} {angle}: {remaining:?}");
             assert!((q[0] - 0.5 - angle).abs() < 2e-12, "{axis} {angle}: {q:?}");
         }
+    }
+}
+
+/// A frame on the ball of [`Turning`], whose angles have angular velocities as speeds.
+struct OnBall;
+
+impl Pose<f64, OnBall> for Turning {
+    fn pose(&self, q: &[f64; 11], rotation: &mut [[f64; 3]; 3], position: &mut [f64; 3]) {
+        let [(s1, c1), (s2, c2), (s3, c3)] = [q[0], q[1], q[2]].map(<f64 as Real>::sin_cos);
+        *rotation = [
+            [c2 * c3, s1 * s2 * c3 + c1 * s3, s1 * s3 - c1 * s2 * c3],
+            [-c2 * s3, c1 * c3 - s1 * s2 * s3, s1 * c3 + c1 * s2 * s3],
+            [s2, -s1 * c2, c1 * c2],
+        ];
+        *position = [0.0; 3];
+    }
+}
+
+impl Jacobian<f64, OnBall> for Turning {
+    const SPEEDS: &'static [usize] = &[0, 1, 2];
+
+    fn jacobian(&self, q: &[f64; 11], linear: &mut [[f64; 10]; 3], angular: &mut [[f64; 10]; 3]) {
+        let (mut rotation, mut position) = (IDENTITY, [0.0; 3]);
+        self.pose(q, &mut rotation, &mut position);
+        (*linear, *angular) = ([[0.0; 10]; 3], [[0.0; 10]; 3]);
+        for (axis, row) in rotation.iter().enumerate() {
+            for (i, entry) in row.iter().enumerate() {
+                angular[i][axis] = *entry;
+            }
+        }
+    }
+}
+
+#[test]
+fn angles_near_their_singularity_reach_the_goal_and_stay_small() {
+    let goal = Goal::<f64, OnBall>::pose(kane::rotation::exp(&[0.7, -0.4, 0.9]), [0.0; 3]);
+    let solver = InverseKinematics::new(Limits::none());
+    for away in [0.0, 1e-15, 1e-11, 1e-7, 1e-3] {
+        let mut q = [0.0; 11];
+        q[4] = 1.0;
+        q[1] = core::f64::consts::FRAC_PI_2 - away;
+        let remaining = solver.solve(&Turning, &goal, &mut q, 100);
+        assert!(remaining.is_within(1e-6), "{away}: {remaining:?}");
+        // Each of some steps changes an angle by half a turn at most.
+        assert!(
+            q[..3].iter().all(|angle| angle.abs() < 30.0),
+            "{away}: {q:?}"
+        );
+        let (mut rotation, mut position) = (IDENTITY, [0.0; 3]);
+        Turning.pose(&q, &mut rotation, &mut position);
+        let missed = distance(rotation.as_flattened(), goal.rotation.as_flattened());
+        assert_within(away, missed, 2e-6);
     }
 }

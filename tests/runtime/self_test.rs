@@ -105,3 +105,59 @@ fn a_pivot_that_is_not_positive_is_told_as_one() {
         "mass matrix, pivot, which is to be positive, 1: found -1.5e0, expected 1.5e0 within 1.5e0"
     );
 }
+
+/// Three speeds whose mass matrix a test chooses.
+struct Chosen([[f64; 3]; 3]);
+
+impl kane::System<f64> for Chosen {
+    type Q = [f64; 3];
+    type U = [f64; 3];
+    type Matrix = [[f64; 3]; 3];
+    type Loads = [kane::Load<f64>; 1];
+    type Scalars = [f64; 1];
+    type Vectors = [[f64; 3]; 1];
+    type Rotations = [[[f64; 3]; 3]; 1];
+
+    const NAME: &'static str = "chosen";
+    const BODY_NAMES: &'static [&'static str] = &["body"];
+    const COORDINATE_NAMES: &'static [&'static str] = &["x", "y", "z"];
+    const SPEED_NAMES: &'static [&'static str] = &["x_dot", "y_dot", "z_dot"];
+    const LOWER_BODIES: &'static [usize] = &[0];
+    const SPEED_BODIES: &'static [usize] = &[0, 0, 0];
+
+    fn q_dot(&self, _: &[f64; 3], u: &[f64; 3], q_dot: &mut [f64; 3]) {
+        *q_dot = *u;
+    }
+}
+
+impl kane::functions::MassMatrix<f64> for Chosen {
+    fn mass_matrix(&self, _: &[f64; 3], m: &mut [[f64; 3]; 3]) {
+        *m = self.0;
+    }
+}
+
+#[test]
+fn a_pivot_that_cancels_passes_only_where_its_speed_moves_nothing_else() {
+    let is_definite = |m| mass_matrix_is_positive_definite(&Chosen(m), &[0.0; 3]).is_ok();
+    assert!(is_definite([
+        [2.0, 1.0, 0.0],
+        [1.0, 2.0, 1.0],
+        [0.0, 1.0, 2.0]
+    ]));
+    // Of two speeds that move the same mass one has nothing left, to rounding.
+    assert!(is_definite([
+        [2.0, 0.0, 0.0],
+        [0.0, 0.1, 0.1],
+        [0.0, 0.1, 0.1]
+    ]));
+    assert!(!is_definite([
+        [1.0, 2.0, 0.0],
+        [2.0, 1.0, 1.0],
+        [0.0, 1.0, 1.0]
+    ]));
+    assert!(!is_definite([
+        [1.0, 0.0, 1e-3],
+        [0.0, 1.0, 0.0],
+        [1e-3, 0.0, 0.0]
+    ]));
+}

@@ -8,9 +8,9 @@
 
 use std::cell::Cell;
 
-use crate::common::{CartPole, Oscillator, Pendulum};
+use crate::common::{CartPole, Oscillator, Pendulum, Turning};
 use kane::Real;
-use kane::functions::{KineticEnergy, PotentialEnergy};
+use kane::functions::{ForwardDynamics, KineticEnergy, PotentialEnergy};
 use kane::simulate::{Sample, SimulateError, Tolerance, simulate};
 use kane_test_support::compare::largest;
 
@@ -345,5 +345,27 @@ fn a_stiff_system_ends_in_an_error_or_in_the_right_place() {
             error,
             SimulateError::Stiff { .. } | SimulateError::MaxSteps { .. }
         )),
+    }
+}
+
+impl ForwardDynamics<f64> for Turning {
+    fn forward_dynamics(&self, _: &[f64; 11], u: &[f64; 10], _: &[f64; 10], u_dot: &mut [f64; 10]) {
+        // The floating body precesses.
+        *u_dot = [0.0; 10];
+        (u_dot[3], u_dot[5]) = (-u[4] * u[5], u[3] * u[4]);
+    }
+}
+
+#[test]
+fn quaternions_of_samples_have_length_one_whatever_the_tolerance() {
+    let mut q = [0.0; 11];
+    q[4] = 1.0;
+    let mut u = [0.0; 10];
+    (u[3], u[4], u[5]) = (0.3, 4.0, -0.2);
+    let times = [0.0, 200.0, 4000.0];
+    let samples = simulate(&Turning, &q, &u, |_, _, _, _| {}, &times, &tolerance(1e-3)).unwrap();
+    for Sample { t, q, .. } in samples {
+        let length = q[4..8].iter().map(|entry| entry * entry).sum::<f64>();
+        assert!((length - 1.0).abs() < 1e-12, "{length} at {t} s");
     }
 }

@@ -55,7 +55,7 @@ pub(crate) use text::voice::{Voice, say};
         kane info models/arm.toml                          tree, coordinates, operation counts\n  \
         kane eval models/arm.toml --function mass_matrix --state state.json\n  \
         kane convert panda.urdf --output models/panda.toml\n  \
-        kane verify generated/arm.rs --object              check the machine code\n\n\
+        kane verify generated/arm.rs                       check the machine code\n\n\
         kane.toml, with paths relative to it:\n  \
         [[system]]\n  \
         model = \"models/arm.toml\"\n  \
