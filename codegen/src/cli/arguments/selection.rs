@@ -276,6 +276,12 @@ fn ambiguous(config: &Path, jobs: &[Job]) -> Failures {
 }
 
 fn unlisted(model: &Path, config: &Path) -> Failures {
+    if Target::File(config.to_owned()).is_same_file(model) {
+        return Failures::message(format!(
+            "`{}` lists models and is none; name it with --config",
+            model.display()
+        ));
+    }
     Failures::message(format!(
         "`{}` does not list `{}`; say where to write with --output FILE, where `-` is standard output",
         config.display(),

@@ -78,6 +78,7 @@ pub(crate) fn run(
     voice: Voice,
     out: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
+    check_names(&arguments.modules)?;
     let options = Options {
         scalar: arguments.scalar,
         opt_level: arguments.opt_level,
@@ -131,6 +132,25 @@ pub(crate) fn run(
     } else {
         Outcome::Broken
     })
+}
+
+/// Refuses what cannot be a module.
+fn check_names(paths: &[PathBuf]) -> Result<(), Failures> {
+    let mut failures = Failures::default();
+    for path in paths {
+        let what = if path.is_dir() {
+            "is a folder"
+        } else if path.extension().is_none_or(|ending| ending != "rs") {
+            "is no Rust file"
+        } else {
+            continue;
+        };
+        let path = path.display();
+        failures.add(Failures::message(format!(
+            "`{path}` {what}; expected a generated module, such as `src/arm.rs`"
+        )));
+    }
+    failures.none()
 }
 
 /// Refuses what is not there.

@@ -15,7 +15,7 @@ use crate::description::mjcf::model::defaults::{Class, ElementKind};
 use crate::description::mjcf::model::models::Models;
 use crate::description::mjcf::model::settings::{Switch, TRUTH};
 use crate::description::xml::{Element, Reader};
-use crate::diagnostic::{Diagnostic, Spanned, shown};
+use crate::diagnostic::{Diagnostic, NearNames, Spanned, shown};
 
 /// What words call several of them.
 const PLURAL: &str = "equalities that are left out";
@@ -126,13 +126,19 @@ impl<'d> Equalities<'d, '_> {
 fn check_names(reader: &mut Reader, model: &Model<'_>, ties: &Ties) {
     let kinds = LeftOut::NAMED.iter().map(|(name, _)| *name);
     let kinds: Vec<&str> = kinds.chain(known::EQUALITIES).collect();
+    let mut near = NearNames::default();
     for name in &model.reading.leave_out {
         if !kinds.contains(&name.as_str()) && !ties.equalities.contains(name) {
             let message = format!("there is no equality `{}` to leave out", shown(name));
+            let single = ties.equalities.iter().map(String::as_str);
+            let meant = near.nearest(name, kinds.iter().copied().chain(single));
             let list = LeftOut::NAMED
                 .map(|(name, _)| format!("`{name}`"))
                 .join(", ");
-            let fault = Diagnostic::error(message);
+            let mut fault = Diagnostic::error(message);
+            if let Some(meant) = meant {
+                fault = fault.help(format!("did you mean `{}`?", shown(meant)));
+            }
             reader.faults.push(fault.help(format!(
                 "what can be left out are {list}, the kinds of equalities, and single ones by their names"
             )));

@@ -15,7 +15,7 @@ use crate::description::mjcf::orientation::{placement, z_axis};
 use crate::description::mjcf::placement::Placement;
 use crate::description::xml::Reader;
 use crate::description::{Carrier, FrameRotation, WrittenBody, WrittenFrame, too_many};
-use crate::diagnostic::{Spanned, shown};
+use crate::diagnostic::{Diagnostic, Spanned, shown};
 
 /// The shapes of sites, and whether they can lead from one point to another. A site is a sphere where it does not say.
 const TYPES: [(&str, bool); 5] = [
@@ -53,7 +53,7 @@ pub(super) fn written<'d>(
             break;
         }
         let name = frame.name.map(|name| Spanned {
-            value: names.of_site(name.value),
+            value: names.of_site(reader, &name),
             span: name.span,
         });
         written.push(WrittenFrame { name, ..frame });
@@ -81,19 +81,30 @@ impl<'b> Names<'b> {
     }
 
     /// The name, or another one that nothing has where a body has it.
-    fn of_site(&mut self, name: String) -> String {
+    fn of_site(&mut self, reader: &mut Reader, name: &Spanned<String>) -> String {
+        let Spanned { value: name, span } = name;
         if !self.bodies.contains(name.as_str()) {
-            return name;
+            return name.clone();
         }
-        if let Some(other) = self.others.get(&name) {
+        if let Some(other) = self.others.get(name) {
             return other.clone();
         }
         let mut other = name.clone();
         while self.bodies.contains(other.as_str()) || self.sites.contains(&other) {
             other.push_str("_site");
         }
+        let note = format!(
+            "site `{}` is called `{}`: a body has its name",
+            shown(name),
+            shown(&other)
+        );
+        let note = Diagnostic::note(note).one_of(
+            "sites with names of bodies are called otherwise",
+            format!("`{}`", shown(&other)),
+        );
+        reader.faults.push(note.at(*span, "a body is called this"));
         self.sites.insert(other.clone());
-        self.others.insert(name, other.clone());
+        self.others.insert(name.clone(), other.clone());
         other
     }
 }

@@ -61,7 +61,10 @@ fn read(
     if robot.name() != "robot" {
         let found = shown(robot.name());
         let fault = format!("the root element is `{found}`; expected `robot`");
-        let fault = Diagnostic::error(fault).at(robot.span(), "expected `robot`");
+        let mut fault = Diagnostic::error(fault).at(robot.span(), "expected `robot`");
+        if robot.name() == "mujoco" {
+            fault = fault.help("this is an MJCF; end the file's name in `.xml`");
+        }
         reader.faults.push(fault);
         return None;
     }

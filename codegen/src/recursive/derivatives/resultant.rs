@@ -174,7 +174,7 @@ impl Columns {
         let mut columns =
             BodyMap::outward(tree.bodies.len(), |_, _| Vec::<DerivativeColumn>::new());
         let roots = tree.body_ids().filter(|body| tree.lower(*body).is_none());
-        let n_roots = roots.count();
+        let is_one = roots.count() == 1;
         let mut found = Self {
             whole: Momentum::zero(graph),
             columns: Vec::new(),
@@ -185,7 +185,7 @@ impl Columns {
             let mut carried = Carried {
                 passing: gathering.at(body),
                 columns: std::mem::take(&mut columns[body]),
-                is_alone: stands.ignores_shifts && lower.is_none() && n_roots == 1,
+                is_alone: matches!(about, Wanted::AboutCenter(_)) && lower.is_none() && is_one,
                 stand: lower.and_then(|lower| stands.links[lower]),
                 arrived: &mut found.columns,
             };
@@ -275,7 +275,7 @@ impl Columns {
 struct Carried<'a> {
     passing: Passing<'a>,
     columns: Vec<DerivativeColumn>,
-    /// True for the only link on the inertial frame, whose shifts change nothing about the mass centre.
+    /// True for the only link on the inertial frame, whose shifts change no rate of a momentum about the mass centre.
     is_alone: bool,
     /// How the lower link stands, where columns leave it for inertial axes.
     stand: Option<Stand>,

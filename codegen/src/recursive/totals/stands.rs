@@ -97,7 +97,7 @@ pub(in crate::recursive) struct Stands {
     /// About the origin of each link on the inertial frame.
     inertial: Stand,
     /// True where the momentum of all bodies shifted as one has no moment, or none that is read.
-    pub(in crate::recursive) ignores_shifts: bool,
+    pub(super) ignores_shifts: bool,
 }
 
 impl Stands {
