@@ -1,7 +1,12 @@
 //! The constants of a module: their names, what they mean, what they hold. Printers write them in this order; what compares
 //! committed modules finds them by the same names.
 
-use super::{BaseTerm, Entries, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size};
+use std::borrow::Cow;
+
+use super::{
+    BaseTerm, Entries, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size,
+    facts::units::by_places,
+};
 use crate::functions::{
     CompactBlock, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
     PARAMETER_NAMES, PRESCRIBED,
@@ -36,7 +41,7 @@ pub struct Constant<'a> {
     /// Its name.
     pub name: &'a str,
     /// What it means.
-    pub doc: &'a str,
+    pub doc: Cow<'a, str>,
     /// What it holds.
     pub data: Data<'a>,
 }
@@ -73,6 +78,8 @@ pub enum Data<'a> {
 }
 
 const COORDINATES_DOC: &str = "The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.";
+
+const SPEEDS_DOC: &str = "The speeds' names; w is a component of the relative angular velocity.";
 
 impl Facts {
     /// The constants of every module, but for its hash and costs.
@@ -117,12 +124,15 @@ impl Facts {
             ),
             constant(
                 COORDINATE_NAMES,
-                COORDINATES_DOC,
+                format!(
+                    "{COORDINATES_DOC} Units: {}.",
+                    by_places(&self.units.coordinates)
+                ),
                 texts(N_COORDINATES, &self.coordinates),
             ),
             constant(
                 SPEED_NAMES,
-                "The speeds' names, rad/s and m/s; w is a component of the relative angular velocity.",
+                format!("{SPEEDS_DOC} Units: {}.", by_places(&self.units.speeds)),
                 texts(N_SPEEDS, &self.speeds),
             ),
             constant(
@@ -271,7 +281,7 @@ impl Facts {
         let constants = frames.flat_map(|frame| {
             let speeds = Data::Integers(&frame.length, frame.speeds.clone());
             let length = self.sizes.named(&frame.length).map(size);
-            let speeds = constant(&frame.constant, &frame.doc, speeds);
+            let speeds = constant(&frame.constant, frame.doc.as_str(), speeds);
             length.into_iter().chain([speeds])
         });
         constants.collect()
@@ -286,12 +296,12 @@ impl Facts {
     fn constants_of<'a>(&'a self, entries: &'a Entries) -> Vec<Constant<'a>> {
         let length = self.sizes.named(&entries.length).map(size);
         let places = Data::Places(&entries.length, &entries.places);
-        let places = constant(&entries.constant, &entries.doc, places);
+        let places = constant(&entries.constant, entries.doc.as_str(), places);
         let mut constants: Vec<Constant<'_>> = length.into_iter().chain([places]).collect();
         if let Some(own) = &entries.colors {
             let colors = Data::Integers(&own.length, own.colors.clone());
             constants.extend(self.sizes.named(&own.length).map(size));
-            constants.push(constant(&own.constant, &own.doc, colors));
+            constants.push(constant(&own.constant, own.doc.as_str(), colors));
         }
         constants
     }
@@ -300,7 +310,7 @@ impl Facts {
     pub fn pattern_constants<'a>(&'a self, pattern: &'a Pattern) -> Vec<Constant<'a>> {
         let blocks = constant(
             &pattern.blocks,
-            &pattern.doc,
+            pattern.doc.as_str(),
             Data::Blocks(&pattern.entries),
         );
         let columns = self.sizes.named(&pattern.columns).map(size);
@@ -326,12 +336,13 @@ impl Module {
     }
 }
 
-fn constant<'a>(name: &'a str, doc: &'a str, data: Data<'a>) -> Constant<'a> {
+fn constant<'a>(name: &'a str, doc: impl Into<Cow<'a, str>>, data: Data<'a>) -> Constant<'a> {
+    let doc = doc.into();
     Constant { name, doc, data }
 }
 
 fn size(size: &Size) -> Constant<'_> {
-    constant(&size.name, &size.doc, Data::Size(size.value))
+    constant(&size.name, size.doc.as_str(), Data::Size(size.value))
 }
 
 fn texts<'a>(length: &'static str, texts: &'a [String]) -> Data<'a> {

@@ -21,7 +21,7 @@ mod limits;
 mod pattern;
 mod size;
 mod stated;
-mod units;
+pub(super) mod units;
 
 pub use base_parameters::{BaseParameters, BaseTerm};
 pub use entries::{Colors, Entries};

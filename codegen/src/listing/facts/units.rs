@@ -14,6 +14,44 @@ pub struct Units {
     pub forces: Vec<&'static str>,
 }
 
+/// Where which units stand: "m at 4 to 6, else rad"; what most places have is said last.
+pub(in crate::listing) fn by_places(units: &[&'static str]) -> String {
+    let mut places: Vec<(&str, Vec<usize>)> = Vec::new();
+    for (place, unit) in units.iter().enumerate() {
+        match places.iter_mut().find(|(known, _)| known == unit) {
+            Some((_, places)) => places.push(place),
+            None => places.push((unit, vec![place])),
+        }
+    }
+    let most = places.iter().map(|(_, places)| places.len()).max();
+    let Some(most) = places.iter().position(|(_, own)| Some(own.len()) == most) else {
+        return "none".to_owned();
+    };
+    let (common, _) = places.remove(most);
+    if places.is_empty() {
+        return common.to_owned();
+    }
+    let others = places
+        .iter()
+        .map(|(unit, places)| format!("{unit} at {}", ranges(places)));
+    format!(
+        "{}, else {common}",
+        others.collect::<Vec<String>>().join(", ")
+    )
+}
+
+/// Increasing numbers, "0, 4 to 6" for 0, 4, 5 and 6.
+fn ranges(numbers: &[usize]) -> String {
+    let runs = numbers.chunk_by(|one, next| one + 1 == *next);
+    let runs = runs.map(|run| match run {
+        [only] => only.to_string(),
+        [first, last] => format!("{first}, {last}"),
+        [first, .., last] => format!("{first} to {last}"),
+        [] => String::new(),
+    });
+    runs.collect::<Vec<String>>().join(", ")
+}
+
 impl Units {
     /// Those of so many coordinates and speeds, each of which stands in one of the joints.
     pub(super) fn of(joints: &[Joint], n_coordinates: usize, n_speeds: usize) -> Self {

@@ -91,7 +91,8 @@ fn of(constant: &Constant<'_>, prefix: &str, names: &Names) -> Option<String> {
         }
     };
     let is_truth = matches!(constant.data, Data::Truths(..));
-    let doc = names.renamed(constant.doc, &[]) + if is_truth { " 1 is true, 0 false." } else { "" };
+    let doc =
+        names.renamed(&constant.doc, &[]) + if is_truth { " 1 is true, 0 false." } else { "" };
     (!entries.is_empty()).then(|| table(&doc, &declared, entries.into_iter()))
 }
 

@@ -78,6 +78,16 @@ struct Header<'a> {
     names: Names,
 }
 
+/// Names of places, an enumeration in C.
+struct Places<'a> {
+    /// What the names begin with.
+    kind: &'static str,
+    doc: &'static str,
+    names: Vec<&'a str>,
+    /// The unit of each, where they have any.
+    units: &'a [&'static str],
+}
+
 impl Header<'_> {
     fn opening(&self) -> String {
         let name = self.name;
@@ -125,40 +135,61 @@ impl Header<'_> {
     fn places(&self) -> Vec<String> {
         let facts = self.facts;
         let bodies = facts.bodies.iter().map(|body| body.identifier.as_str());
-        let mut lists = vec![
-            ("BODY", "The bodies.", bodies.collect()),
-            (
-                "Q",
-                "The coordinates: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.",
-                facts.coordinates.iter().map(String::as_str).collect(),
-            ),
-            (
-                "U",
-                "The speeds, rad/s and m/s; w is a component of the relative angular velocity.",
-                facts.speeds.iter().map(String::as_str).collect(),
-            ),
-        ];
         let parameters = facts.parameters.iter();
         let parameters = parameters.map(|parameter| parameter.name.as_str());
-        let doc = "The values set at run time, as columns of derivatives by all of them.";
-        lists.push(("PARAMETER", doc, parameters.collect()));
-        if let Some(angles) = &facts.angles {
-            let angles = angles.iter().map(|angle| angle.name.as_str());
-            let doc = "The angles among the coordinates, in the order of their sines and cosines.";
-            lists.push(("ANGLE", doc, angles.collect::<Vec<_>>()));
-        }
+        let angles = facts.angles.iter().flatten();
+        let mut lists = vec![
+            Places {
+                kind: "BODY",
+                doc: "The bodies.",
+                names: bodies.collect(),
+                units: &[],
+            },
+            Places {
+                kind: "Q",
+                doc: "The coordinates: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.",
+                names: facts.coordinates.iter().map(String::as_str).collect(),
+                units: &facts.units.coordinates,
+            },
+            Places {
+                kind: "U",
+                doc: "The speeds; w is a component of the relative angular velocity.",
+                names: facts.speeds.iter().map(String::as_str).collect(),
+                units: &facts.units.speeds,
+            },
+            Places {
+                kind: "PARAMETER",
+                doc: "The values set at run time, as columns of derivatives by all of them.",
+                names: parameters.collect(),
+                units: &[],
+            },
+            Places {
+                kind: "ANGLE",
+                doc: "The angles among the coordinates, in the order of their sines and cosines.",
+                names: angles.map(|angle| angle.name.as_str()).collect(),
+                units: &[],
+            },
+        ];
         // An empty enumeration is none in C.
-        lists.retain(|(_, _, names)| !names.is_empty());
+        lists.retain(|list| !list.names.is_empty());
         let mut taken = self.constants();
-        let lists = lists.into_iter().map(|(kind, doc, names)| {
-            let names = names.iter().enumerate();
-            let names: Vec<String> = names
-                .map(|(place, name)| {
-                    let name = taken.take(format!("{kind}_{}", name.to_uppercase()));
-                    format!("    {}{name} = {place}", self.prefix)
-                })
-                .collect();
-            format!("/// {doc}\nenum {{\n{}\n}};\n", names.join(",\n"))
+        let lists = lists.into_iter().map(|list| {
+            let Places {
+                kind,
+                doc,
+                names,
+                units,
+            } = list;
+            let last = names.len() - 1;
+            let names = names.into_iter().enumerate();
+            let names = names.map(|(place, name)| {
+                let name = taken.take(format!("{kind}_{}", name.to_uppercase()));
+                let comma = if place < last { "," } else { "" };
+                let unit = units.get(place);
+                let unit = unit.map_or_else(String::new, |unit| format!(" // {unit}"));
+                format!("    {}{name} = {place}{comma}{unit}\n", self.prefix)
+            });
+            format!("/// {doc}\nenum {{\n{}}};\n", names.collect::<String>())
         });
         lists.collect()
     }

@@ -20,7 +20,7 @@ pub(super) fn items(constants: &[Constant<'_>]) -> Vec<Item> {
 }
 
 fn item(constant: &Constant<'_>) -> Item {
-    let (name, doc) = (ident(constant.name), doc([constant.doc]));
+    let (name, doc) = (ident(constant.name), doc([constant.doc.as_ref()]));
     let allow = match constant.data {
         Data::Numbers(..) | Data::Joints(..) | Data::Frames(_) | Data::Terms(_) => allow_numbers(),
         _ => allow_unused(),
