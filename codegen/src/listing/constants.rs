@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use super::{
     BaseTerm, Entries, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size,
-    facts::units::by_places,
+    facts::units::by_place,
 };
 use crate::functions::{
     CompactBlock, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
@@ -124,15 +124,12 @@ impl Facts {
             ),
             constant(
                 COORDINATE_NAMES,
-                format!(
-                    "{COORDINATES_DOC} Units: {}.",
-                    by_places(&self.units.coordinates)
-                ),
+                format!("{COORDINATES_DOC} {}.", by_place(&self.units.coordinates)),
                 texts(N_COORDINATES, &self.coordinates),
             ),
             constant(
                 SPEED_NAMES,
-                format!("{SPEEDS_DOC} Units: {}.", by_places(&self.units.speeds)),
+                format!("{SPEEDS_DOC} {}.", by_place(&self.units.speeds)),
                 texts(N_SPEEDS, &self.speeds),
             ),
             constant(

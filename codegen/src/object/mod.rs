@@ -176,7 +176,7 @@ pub enum Error {
         path: PathBuf,
     },
     /// A file that is not Rust.
-    #[error("`{}` is not Rust that can be read: {message}", path.display())]
+    #[error("`{}` is not Rust that can be read: {message}; expected a generated module", path.display())]
     Unreadable {
         /// The file.
         path: PathBuf,

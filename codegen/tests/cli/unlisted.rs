@@ -102,6 +102,13 @@ fn faults_of_a_file_that_is_named_are_told() {
 }
 
 #[test]
+fn a_list_of_models_is_told_from_a_model_that_is_not_listed() {
+    let ran = project("").kane(&["check", "kane.toml"]);
+    assert_eq!(ran.code, 2);
+    insta::assert_snapshot!(ran.err, @"error: `kane.toml` lists models and is none; name it with --config");
+}
+
+#[test]
 fn model_still_needs_an_output_beside_a_file_with_faults() {
     let ran = project("fna = true\n").kane(&["generate", "models/leg.toml"]);
     assert_eq!(ran.code, 2);

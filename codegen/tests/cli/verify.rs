@@ -179,6 +179,17 @@ fn what_is_no_module_is_refused() {
 }
 
 #[test]
+fn folders_and_other_files_are_told_from_modules() {
+    let project = Project::arm();
+    let ran = project.kane(&["verify", "models", "models/arm.toml"]);
+    let expected = [
+        "`models` is a folder; expected a generated module",
+        "`models/arm.toml` is no Rust file; expected a generated module",
+    ];
+    assert_refused(&ran, &expected);
+}
+
+#[test]
 fn where_the_runtime_is_not_found_it_can_be_given() {
     let ran = Project::generated().kane(&["verify", "--object", MODULE]);
     assert_refused(&ran, &["with --kane"]);

@@ -181,7 +181,7 @@ fn xml_under_another_ending_is_told_which_endings_there_are() {
         description
             .faults
             .iter()
-            .map(|fault| fault.message.clone())
+            .map(|fault| fault.message.clone() + fault.help.as_deref().unwrap_or_default())
             .collect::<String>()
     };
     let faults = |name: &str| faults_of(name, "<sdf version=\"1.9\"/>");
@@ -196,4 +196,6 @@ fn xml_under_another_ending_is_told_which_endings_there_are() {
     let told = faults_of("./robots.v2/robot", "robot: arm");
     assert!(!told.contains("is no model"), "{told}");
     assert!(faults("robot.xacro").contains("expected `robot`"));
+    let told = faults_of("robot.urdf", "<mujoco/>");
+    assert!(told.contains("end the file's name in `.xml`"), "{told}");
 }

@@ -465,5 +465,7 @@ fn names_of_ours_give_way_to_those_of_the_file() {
     let frames = model.frames.iter().filter_map(|frame| frame.name.as_ref());
     let frames: Vec<&str> = frames.map(|name| name.value.as_str()).collect();
     assert_eq!(frames, ["b_site_site", "b_site"]);
+    let told = "site `b` is called `b_site_site`: a body has its name";
+    assert!(model.faults.iter().any(|note| note.message == told));
     assert!(kane_codegen::tree::build(&model).is_ok());
 }

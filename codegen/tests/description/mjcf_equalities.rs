@@ -248,6 +248,13 @@ fn user_leaves_out_all_equalities_a_kind_or_one() {
     }
     let model = leaving_out(&text, &["connect", "y"]);
     assert_eq!(errors(&model), ["there is no equality `y` to leave out"]);
+    let model = leaving_out(&text, &["connec"]);
+    let helps: Vec<&str> = model
+        .faults
+        .iter()
+        .filter_map(|fault| fault.help.as_deref())
+        .collect();
+    assert!(helps.contains(&"did you mean `connect`?"), "{helps:?}");
 }
 
 #[test]

@@ -78,7 +78,6 @@ pub(crate) fn run(
     voice: Voice,
     out: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
-    check_names(&arguments.modules)?;
     let options = Options {
         scalar: arguments.scalar,
         opt_level: arguments.opt_level,
@@ -87,9 +86,13 @@ pub(crate) fn run(
     let root = if let Some(folder) = &arguments.kane {
         folder.join("src/lib.rs")
     } else {
-        // Where the package of a module is unknown, that it is not there is the reason.
+        // Where the package of a module is unknown, that it is not there or no module is the reason.
         let root = depended_on(&arguments.modules[0]);
-        root.map_err(|unknown| check_modules(&arguments.modules).err().unwrap_or(unknown))?
+        root.map_err(|unknown| {
+            let checked = check_modules(&arguments.modules);
+            let checked = checked.and_then(|()| check_names(&arguments.modules));
+            checked.err().unwrap_or(unknown)
+        })?
     };
     let runtime = Runtime::new(&root, &options)?;
     let all = arguments.modules.iter();

@@ -128,21 +128,20 @@ fn check_names(reader: &mut Reader, model: &Model<'_>, ties: &Ties) {
     let kinds: Vec<&str> = kinds.chain(known::EQUALITIES).collect();
     let mut near = NearNames::default();
     for name in &model.reading.leave_out {
-        if !kinds.contains(&name.as_str()) && !ties.equalities.contains(name) {
-            let message = format!("there is no equality `{}` to leave out", shown(name));
-            let single = ties.equalities.iter().map(String::as_str);
-            let meant = near.nearest(name, kinds.iter().copied().chain(single));
-            let list = LeftOut::NAMED
-                .map(|(name, _)| format!("`{name}`"))
-                .join(", ");
-            let mut fault = Diagnostic::error(message);
-            if let Some(meant) = meant {
-                fault = fault.help(format!("did you mean `{}`?", shown(meant)));
-            }
-            reader.faults.push(fault.help(format!(
-                "what can be left out are {list}, the kinds of equalities, and single ones by their names"
-            )));
+        if kinds.contains(&name.as_str()) || ties.equalities.contains(name) {
+            continue;
         }
+        let single = ties.equalities.iter().map(String::as_str);
+        let meant = near.nearest(name, kinds.iter().copied().chain(single));
+        let help = meant.map_or_else(
+            || {
+                let list = LeftOut::NAMED.map(|(name, _)| format!("`{name}`"));
+                format!("what can be left out are {}, the kinds of equalities, and single ones by their names", list.join(", "))
+            },
+            |meant| format!("did you mean `{}`?", shown(meant)),
+        );
+        let message = format!("there is no equality `{}` to leave out", shown(name));
+        reader.faults.push(Diagnostic::error(message).help(help));
     }
 }
 

@@ -146,12 +146,13 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 65] = [
             "frameclassicalacceleration",
             "pointacceleration6d",
             "bodyspatialaccelerationinworld",
+            "spatialacceleration",
         ],
     ),
     (
         "acceleration(FRAME)",
         "whose linear part is the acceleration of the frame's origin; that of a spatial acceleration is less by `ω × v`",
-        &["frameacceleration", "spatialacceleration"],
+        &["frameacceleration"],
     ),
     (
         "acceleration(FRAME)",

@@ -14,8 +14,8 @@ pub struct Units {
     pub forces: Vec<&'static str>,
 }
 
-/// Where which units stand: "m at 4 to 6, else rad"; what most places have is said last.
-pub(in crate::listing) fn by_places(units: &[&'static str]) -> String {
+/// Where which units stand: "Units by place: m at 4 to 6, else rad"; what most places have is said last.
+pub(in crate::listing) fn by_place(units: &[&'static str]) -> String {
     let mut places: Vec<(&str, Vec<usize>)> = Vec::new();
     for (place, unit) in units.iter().enumerate() {
         match places.iter_mut().find(|(known, _)| known == unit) {
@@ -25,19 +25,17 @@ pub(in crate::listing) fn by_places(units: &[&'static str]) -> String {
     }
     let most = places.iter().map(|(_, places)| places.len()).max();
     let Some(most) = places.iter().position(|(_, own)| Some(own.len()) == most) else {
-        return "none".to_owned();
+        return "Unit: none".to_owned();
     };
     let (common, _) = places.remove(most);
     if places.is_empty() {
-        return common.to_owned();
+        return format!("Unit: {common}");
     }
     let others = places
         .iter()
         .map(|(unit, places)| format!("{unit} at {}", ranges(places)));
-    format!(
-        "{}, else {common}",
-        others.collect::<Vec<String>>().join(", ")
-    )
+    let others: Vec<String> = others.collect();
+    format!("Units by place: {}, else {common}", others.join(", "))
 }
 
 /// Increasing numbers, "0, 4 to 6" for 0, 4, 5 and 6.
