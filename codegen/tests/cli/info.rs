@@ -423,3 +423,17 @@ fn weights_that_are_lifted_are_shown() {
     let expected = "Gravity compensation, in parts of the weights\n\n  base 0.300, shoulder 0.885, wrist 1.000, head 1.500\n";
     assert!(text.contains(expected), "{text}");
 }
+
+#[test]
+fn a_long_sum_is_counted_under_the_name_that_it_was_given() {
+    let sum = "mass_matrix+bias+inverse_dynamics+kinetic_energy+potential_energy";
+    let named = format!("all_of_it = {sum}");
+    let project = Project::arm();
+    let counted = |functions: &str| {
+        let ran = project.kane(&["info", "models/arm.toml", "--functions", functions]);
+        assert_eq!(ran.code, 0, "{ran:?}");
+        ran.out
+    };
+    assert!(counted(&named).contains("\n  all_of_it = ..  "));
+    assert!(counted(sum).contains(&format!("\n  {sum}  ")));
+}

@@ -310,6 +310,9 @@ fn write_counts(out: &mut dyn Write, counts: &[Counts], shown: &Shown) -> io::Re
     Ok(())
 }
 
+/// A named sum that is longer is shown by its name: counts are to stay on the screen.
+const LONGEST_NAME: usize = 60;
+
 /// The function as it is asked for; where all are shown, those of the default set are marked.
 fn name(count: &Counts, shown: &Shown) -> String {
     let mark = if is_default(count) && !shown.are_default {
@@ -317,5 +320,9 @@ fn name(count: &Counts, shown: &Shown) -> String {
     } else {
         ""
     };
-    format!("{}{mark}", count.function.text())
+    let mut text = count.function.text();
+    if text.len() > LONGEST_NAME && text != count.function.sum() {
+        text = format!("{} = ..", count.function.name());
+    }
+    format!("{text}{mark}")
 }
