@@ -286,7 +286,9 @@ impl Search<'_> {
             return;
         }
         self.try_one(self.plan.with_parallel(None, true));
-        for body in recursive::parallel_axes(self.tree, &self.plan) {
+        let matters = self.request.paths(self.tree);
+        let bodies = recursive::parallel_axes(self.tree, &self.plan).into_iter();
+        for body in bodies.filter(|body| matters[*body]) {
             if self.is_long() {
                 return;
             }

@@ -15,6 +15,7 @@ use super::{
     variable::Variable,
 };
 use crate::{
+    id::BodyMap,
     recursive::{Plan, Technique},
     solve,
     tree::Tree,
@@ -60,6 +61,22 @@ impl Request {
     pub fn is_of_frames(&self) -> bool {
         let mut parts = self.parts.iter();
         parts.any(|part| part.subject.is_some())
+    }
+
+    /// True for a body on the way from the inertial frame to one of its frames, and for all where not only these ways matter.
+    pub fn paths(&self, tree: &Tree) -> BodyMap<bool> {
+        let mut subjects = self.parts.iter().map(|part| part.subject.as_ref());
+        let is_of_paths =
+            subjects.all(|subject| subject.is_some()) && !self.heeds(Technique::Regroup);
+        let mut are_on = BodyMap::outward(tree.bodies.len(), |_, _| !is_of_paths);
+        let subjects = self.parts.iter().filter_map(|part| part.subject.as_ref());
+        let frames = subjects.flat_map(|subject| &subject.frames);
+        for body in frames.filter_map(|frame| tree.frame_body(frame.frame)) {
+            for on_path in tree.path(body) {
+                are_on[on_path] = true;
+            }
+        }
+        are_on
     }
 
     /// True where the cost of its values may depend on whether a plan uses the technique.
