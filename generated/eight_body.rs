@@ -34,7 +34,7 @@ pub const BODY_NAMES: [&str; NB] = [
     "camera",
 ];
 
-/// The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body. Units by place: m at 24 to 47, else rad.
+/// The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body. Units by place: m at 24 to 47; else rad.
 #[allow(dead_code, reason = "a program calls what it needs")]
 pub const COORDINATE_NAMES: [&str; NQ] = [
     "hub_theta1",
@@ -87,7 +87,7 @@ pub const COORDINATE_NAMES: [&str; NQ] = [
     "camera_s3",
 ];
 
-/// The speeds' names; w is a component of the relative angular velocity. Units by place: m/s at 24 to 47, else rad/s.
+/// The speeds' names; w is a component of the relative angular velocity. Units by place: m/s at 24 to 47; else rad/s.
 #[allow(dead_code, reason = "a program calls what it needs")]
 pub const SPEED_NAMES: [&str; NU] = [
     "hub_theta1_dot",
@@ -64925,13 +64925,13 @@ pub fn centroidal_momentum_matrix<R: kane::Real>(
     // hub: position and velocity, outward
     let hub_t18 = hub_cos1 * system_t2 + hub_sin1 * system_t3;
     let hub_t19 = hub_cos1 * system_t3 - hub_sin1 * system_t2;
-    let hub_to_center_z = hub_cos2 * hub_t19 + hub_sin2 * system_t1;
-    shared_3[2] = -hub_to_center_z;
+    let hub_to_point_z = hub_cos2 * hub_t19 + hub_sin2 * system_t1;
+    shared_3[2] = -hub_to_point_z;
     let hub_t20 = hub_cos2 * system_t1 - hub_sin2 * hub_t19;
-    let hub_to_center_x = hub_cos3 * hub_t20 + hub_sin3 * hub_t18;
-    shared_3[0] = -hub_to_center_x;
-    let hub_to_center_y = hub_cos3 * hub_t18 - hub_sin3 * hub_t20;
-    shared_3[1] = -hub_to_center_y;
+    let hub_to_point_x = hub_cos3 * hub_t20 + hub_sin3 * hub_t18;
+    shared_3[0] = -hub_to_point_x;
+    let hub_to_point_y = hub_cos3 * hub_t18 - hub_sin3 * hub_t20;
+    shared_3[1] = -hub_to_point_y;
     let solved_3 = self::centroidal_momentum_matrix_lockstep_3(&shared_3, &sides_3);
     angular[0][11] = -solved_3[0][0];
     angular[0][17] = -solved_3[0][1];
@@ -64970,21 +64970,21 @@ pub fn centroidal_momentum_matrix<R: kane::Real>(
     angular[2][35] = solved_3[17][0];
     angular[2][41] = solved_3[17][1];
     // shoulder: position and velocity, outward
-    let shoulder_t25 = hub_to_center_x - shoulder_offset_x;
-    let shoulder_t26 = hub_to_center_y - shoulder_offset_y;
-    let shoulder_t27 = hub_to_center_z - shoulder_offset_z;
+    let shoulder_t25 = hub_to_point_x - shoulder_offset_x;
+    let shoulder_t26 = hub_to_point_y - shoulder_offset_y;
+    let shoulder_t27 = hub_to_point_z - shoulder_offset_z;
     let shoulder_t28 = shoulder_cos1 * shoulder_t26 + shoulder_sin1 * shoulder_t27;
     let shoulder_t29 = shoulder_cos1 * shoulder_t27 - shoulder_sin1 * shoulder_t26;
-    let shoulder_to_center_z = shoulder_cos2 * shoulder_t29
+    let shoulder_to_point_z = shoulder_cos2 * shoulder_t29
         + shoulder_sin2 * shoulder_t25;
-    shared_4[2] = shoulder_to_center_z;
+    shared_4[2] = shoulder_to_point_z;
     let shoulder_t30 = shoulder_cos2 * shoulder_t25 - shoulder_sin2 * shoulder_t29;
-    let shoulder_to_center_x = shoulder_cos3 * shoulder_t30
+    let shoulder_to_point_x = shoulder_cos3 * shoulder_t30
         + shoulder_sin3 * shoulder_t28;
-    shared_4[0] = shoulder_to_center_x;
-    let shoulder_to_center_y = shoulder_cos3 * shoulder_t28
+    shared_4[0] = shoulder_to_point_x;
+    let shoulder_to_point_y = shoulder_cos3 * shoulder_t28
         - shoulder_sin3 * shoulder_t30;
-    shared_4[1] = shoulder_to_center_y;
+    shared_4[1] = shoulder_to_point_y;
     let solved_4 = self::centroidal_momentum_matrix_lockstep_4(&shared_4, &sides_4);
     angular[0][8] = solved_4[0][0];
     angular[0][14] = solved_4[0][1];
@@ -65023,9 +65023,9 @@ pub fn centroidal_momentum_matrix<R: kane::Real>(
     angular[2][32] = solved_4[17][0];
     angular[2][38] = solved_4[17][1];
     // boom: position and velocity, outward
-    let boom_t13 = hub_to_center_x - boom_offset_x;
-    let boom_t14 = hub_to_center_y - boom_offset_y;
-    let boom_t15 = hub_to_center_z - boom_offset_z;
+    let boom_t13 = hub_to_point_x - boom_offset_x;
+    let boom_t14 = hub_to_point_y - boom_offset_y;
+    let boom_t15 = hub_to_point_z - boom_offset_z;
     let boom_t16 = hub_rot_yx * boom_cos1 + hub_sin2 * boom_sin1;
     let boom_t17 = hub_sin2 * boom_cos1 - hub_rot_yx * boom_sin1;
     let boom_t18 = hub_rot_yy * boom_cos1 + hub_rot_zy * boom_sin1;
@@ -65040,7 +65040,7 @@ pub fn centroidal_momentum_matrix<R: kane::Real>(
     let boom_t25 = hub_rot_xy * boom_cos2 - boom_sin2 * boom_t19;
     let boom_rot_zz = boom_cos2 * boom_t21 + hub_rot_xz * boom_sin2;
     let boom_t26 = hub_rot_xz * boom_cos2 - boom_sin2 * boom_t21;
-    let boom_to_center_z = boom_cos2 * boom_t23 + boom_sin2 * boom_t13;
+    let boom_to_point_z = boom_cos2 * boom_t23 + boom_sin2 * boom_t13;
     let boom_t27 = boom_cos2 * boom_t13 - boom_sin2 * boom_t23;
     let boom_rot_xx = boom_cos3 * boom_t24 + boom_sin3 * boom_t16;
     let boom_rot_yx = boom_cos3 * boom_t16 - boom_sin3 * boom_t24;
@@ -65048,8 +65048,8 @@ pub fn centroidal_momentum_matrix<R: kane::Real>(
     let boom_rot_yy = boom_cos3 * boom_t18 - boom_sin3 * boom_t25;
     let boom_rot_xz = boom_cos3 * boom_t26 + boom_sin3 * boom_t20;
     let boom_rot_yz = boom_cos3 * boom_t20 - boom_sin3 * boom_t26;
-    let boom_to_center_x = boom_cos3 * boom_t27 + boom_sin3 * boom_t22;
-    let boom_to_center_y = boom_cos3 * boom_t22 - boom_sin3 * boom_t27;
+    let boom_to_point_x = boom_cos3 * boom_t27 + boom_sin3 * boom_t22;
+    let boom_to_point_y = boom_cos3 * boom_t22 - boom_sin3 * boom_t27;
     // camera: mass centre and momentum, inward
     let camera_t13 = R::from_f64(0.022924026999999958) * camera_sin3
         + R::from_f64(-0.403524) * camera_cos3;
@@ -65094,9 +65094,9 @@ pub fn centroidal_momentum_matrix<R: kane::Real>(
     let camera_t46 = camera_cos1 * camera_t4;
     let camera_t47 = camera_cos1 * camera_t17 - camera_sin1 * camera_t26;
     let camera_t48 = camera_cos1 * camera_t26 + camera_sin1 * camera_t17;
-    let camera_t49 = camera_offset_x - boom_to_center_x;
-    let camera_t50 = camera_offset_y - boom_to_center_y;
-    let camera_t51 = camera_offset_z - boom_to_center_z;
+    let camera_t49 = camera_offset_x - boom_to_point_x;
+    let camera_t50 = camera_offset_y - boom_to_point_y;
+    let camera_t51 = camera_offset_z - boom_to_point_z;
     let camera_t52 = camera_t42 * camera_t50 - camera_t41 * camera_t51;
     let camera_t53 = camera_t30 * camera_t51 + camera_t42 * camera_t49;
     let camera_t54 = camera_t41 * camera_t49 + camera_t30 * camera_t50;

@@ -44,7 +44,8 @@ use limits::rated_coordinates;
 /// The number of rounds, in one step, that hold joints at their limits and solve for the others again.
 const ROUNDS: usize = 8;
 
-/// The least `f` in the damping `λ = f w`, where `w` is [`Remaining::weighted`]: a step is at most `1 / √(2 f)` long, two radians.
+/// The least `f` in the damping `λ = f w`, where `w` is [`Remaining::weighted`]: a step is at most `1 / √(2 f)` long, two radians:
+/// farther away the Jacobian says nothing.
 const LEAST_FACTOR: f64 = 0.125;
 
 /// A solver for a system with `NQ` coordinates.
@@ -100,6 +101,7 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     }
 
     /// The coordinates after a step: [`q_plus`](manifold::q_plus), then every coordinate brought back to within its limits.
+    /// Quaternions keep their length; [`scale_quaternions`](manifold::scale_quaternions) gives them length one.
     pub fn advance<S, const NU: usize>(&self, system: &S, q: &[R; NQ], u: &[R; NU]) -> [R; NQ]
     where
         S: System<R, Q = [R; NQ], U = [R; NU]>,

@@ -105,7 +105,7 @@ fn faults_of_a_file_that_is_named_are_told() {
 fn a_list_of_models_is_told_from_a_model_that_is_not_listed() {
     let ran = project("").kane(&["check", "kane.toml"]);
     assert_eq!(ran.code, 2);
-    insta::assert_snapshot!(ran.err, @"error: `kane.toml` lists models and is none; name it with --config");
+    insta::assert_snapshot!(ran.err, @"error: `kane.toml` is a list of models, not a model; pass it with --config");
 }
 
 #[test]

@@ -60,13 +60,13 @@ fn module(text: &str, formulation: Formulation) -> Arc<str> {
     static KNOWN: Mutex<BTreeMap<String, Generated>> = Mutex::new(BTreeMap::new());
     let key = format!("{formulation:?}\n{text}");
     let known = Arc::clone(KNOWN.lock().unwrap().entry(key).or_default());
-    let source = known.get_or_init(|| generated(text, formulation).into());
-    Arc::clone(source)
+    let all = || generated(text, formulation, Functions::All(Vec::new()));
+    Arc::clone(known.get_or_init(|| all().into()))
 }
 
-fn generated(text: &str, formulation: Formulation) -> String {
+fn generated(text: &str, formulation: Formulation, functions: Functions) -> String {
     let options = Options {
-        functions: Functions::All(Vec::new()),
+        functions,
         formulation,
         // Which solver is the cheaper, what carries branches, and which of them are alike depends on all bodies.
         without: BTreeSet::from([Articulated, Carriers, Lockstep]),
@@ -247,6 +247,39 @@ fn a_changed_mass_changes_numbers_on_the_body_s_path_and_renames_nothing() {
         assert_only_numbers_change(&cheapest, &changed);
         // In the literal sums a body's terms are added to those of the bodies before it, whatever their branch.
         assert_only_bodies_change(&cheapest, &changed, path);
+    }
+}
+
+/// The mass of all bodies is in every column.
+#[test]
+fn a_changed_mass_changes_no_lines_of_another_tree() {
+    let mut old =
+        "name = \"pair\"\ngravity = [0.1, 0.2, -9.81]\nlower_bodies = [0, 1, 0, 3]\n".to_owned();
+    for (k, name) in ["one", "arm", "two", "leg"].into_iter().enumerate() {
+        let joint = ["\"free\"", "[\"theta1\"]"][k % 2];
+        old += &body(name, k + 2, joint);
+    }
+    let new = old.replace("mass = 5.57", "mass = 6.57");
+    let functions = [
+        "center_of_mass_jacobian",
+        "d(center_of_mass_velocity)/d(q, u)",
+        "d(center_of_mass_jacobian_dot_u)/d(q, u)",
+        "d(centroidal_momentum_matrix_dot_u)/d(q, u)",
+        "d(angular_momentum)/d(q, u)",
+    ];
+    for function in functions {
+        let functions = || Functions::Named(vec![function.to_owned()]);
+        let [old, new] =
+            [&old, &new].map(|text| generated(text, Formulation::Recursive, functions()));
+        let changes = changes(&old, &new);
+        assert!(changes.len() > 10, "{function}: the test proves nothing");
+        let of_others = |statement: &str| {
+            ["let one_", "let arm_"]
+                .iter()
+                .any(|name| statement.starts_with(name))
+        };
+        let mut strays = changes.iter().filter(|(_, statement)| of_others(statement));
+        assert_eq!(strays.next(), None, "{function}");
     }
 }
 

@@ -78,13 +78,13 @@ static const char *const CART_POLE_BODY_NAMES[CART_POLE_NB] = {
     "pole"
 };
 
-/// The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body. Units by place: rad at 1, else m.
+/// The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body. Units by place: rad at 1; else m.
 static const char *const CART_POLE_COORDINATE_NAMES[CART_POLE_NQ] = {
     "cart_s1",
     "pole_theta2"
 };
 
-/// The speeds' names; w is a component of the relative angular velocity. Units by place: rad/s at 1, else m/s.
+/// The speeds' names; w is a component of the relative angular velocity. Units by place: rad/s at 1; else m/s.
 static const char *const CART_POLE_SPEED_NAMES[CART_POLE_NU] = {
     "cart_s1_dot",
     "pole_theta2_dot"

@@ -25,11 +25,11 @@ pub const LOWER_BODIES: [usize; NB] = [0, 1];
 #[allow(dead_code, reason = "a program calls what it needs")]
 pub const BODY_NAMES: [&str; NB] = ["cart", "pole"];
 
-/// The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body. Units by place: rad at 1, else m.
+/// The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body. Units by place: rad at 1; else m.
 #[allow(dead_code, reason = "a program calls what it needs")]
 pub const COORDINATE_NAMES: [&str; NQ] = ["cart_s1", "pole_theta2"];
 
-/// The speeds' names; w is a component of the relative angular velocity. Units by place: rad/s at 1, else m/s.
+/// The speeds' names; w is a component of the relative angular velocity. Units by place: rad/s at 1; else m/s.
 #[allow(dead_code, reason = "a program calls what it needs")]
 pub const SPEED_NAMES: [&str; NU] = ["cart_s1_dot", "pole_theta2_dot"];
 

@@ -278,7 +278,7 @@ fn ambiguous(config: &Path, jobs: &[Job]) -> Failures {
 fn unlisted(model: &Path, config: &Path) -> Failures {
     if Target::File(config.to_owned()).is_same_file(model) {
         return Failures::message(format!(
-            "`{}` lists models and is none; name it with --config",
+            "`{}` is a list of models, not a model; pass it with --config",
             model.display()
         ));
     }

@@ -86,7 +86,7 @@ pub(crate) fn run(
     let root = if let Some(folder) = &arguments.kane {
         folder.join("src/lib.rs")
     } else {
-        // Where the package of a module is unknown, that it is not there or no module is the reason.
+        // Where no package is found, a path that is missing or is no module is the likely reason.
         let root = depended_on(&arguments.modules[0]);
         root.map_err(|unknown| {
             let checked = check_modules(&arguments.modules);

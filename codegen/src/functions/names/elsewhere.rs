@@ -2,7 +2,7 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, what to say beside them, and other names of the same, or of what differs as that says.
-pub(super) const REQUESTS: [(&str, &str, &[&str]); 65] = [
+pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
     (
         "inverse_dynamics",
         "",
@@ -146,13 +146,17 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 65] = [
             "frameclassicalacceleration",
             "pointacceleration6d",
             "bodyspatialaccelerationinworld",
-            "spatialacceleration",
         ],
     ),
     (
         "acceleration(FRAME)",
         "whose linear part is the acceleration of the frame's origin; that of a spatial acceleration is less by `ω × v`",
         &["frameacceleration"],
+    ),
+    (
+        "acceleration(FRAME)",
+        "as in Drake; the linear part of other spatial accelerations is less by `ω × v`",
+        &["spatialacceleration"],
     ),
     (
         "acceleration(FRAME)",

@@ -14,11 +14,12 @@ pub struct Units {
     pub forces: Vec<&'static str>,
 }
 
-/// Where which units stand: "Units by place: m at 4 to 6, else rad"; what most places have is said last.
+/// Where which units stand: "Units by place: none at 0 to 3; m at 4 to 6; else rad". What most places have is said last.
 pub(in crate::listing) fn by_place(units: &[&'static str]) -> String {
     let mut places: Vec<(&str, Vec<usize>)> = Vec::new();
     for (place, unit) in units.iter().enumerate() {
-        match places.iter_mut().find(|(known, _)| known == unit) {
+        let unit = if *unit == "1" { "none" } else { unit };
+        match places.iter_mut().find(|(known, _)| *known == unit) {
             Some((_, places)) => places.push(place),
             None => places.push((unit, vec![place])),
         }
@@ -35,7 +36,7 @@ pub(in crate::listing) fn by_place(units: &[&'static str]) -> String {
         .iter()
         .map(|(unit, places)| format!("{unit} at {}", ranges(places)));
     let others: Vec<String> = others.collect();
-    format!("Units by place: {}, else {common}", others.join(", "))
+    format!("Units by place: {}; else {common}", others.join("; "))
 }
 
 /// Increasing numbers, "0, 4 to 6" for 0, 4, 5 and 6.

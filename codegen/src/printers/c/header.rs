@@ -186,7 +186,10 @@ impl Header<'_> {
                 let name = taken.take(format!("{kind}_{}", name.to_uppercase()));
                 let comma = if place < last { "," } else { "" };
                 let unit = units.get(place);
-                let unit = unit.map_or_else(String::new, |unit| format!(" // {unit}"));
+                let unit = unit.map_or_else(String::new, |unit| match *unit {
+                    "1" => " // no unit".to_owned(),
+                    unit => format!(" // {unit}"),
+                });
                 format!("    {}{name} = {place}{comma}{unit}\n", self.prefix)
             });
             format!("/// {doc}\nenum {{\n{}}};\n", names.collect::<String>())

@@ -79,6 +79,13 @@ impl DerivativeColumn {
         self.displaced.turn(graph, rotation);
     }
 
+    /// By a rotation that holds a factor of all bodies, to which the products then belong.
+    pub(super) fn turn_with_all(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
+        graph.enter(None);
+        self.carrying.turn_here(graph, rotation);
+        self.displaced.turn(graph, rotation);
+    }
+
     /// Gets ready for a turn about an axis.
     pub(super) fn before_turn(
         &mut self,

@@ -29,7 +29,7 @@ use crate::{
         plan::Plan,
         totals::{
             center,
-            stands::{self, Stand, Stands, Wanted},
+            stands::{self, Reference, Stand, Stands},
         },
     },
     tree::{Motion, Tree},
@@ -38,7 +38,7 @@ use crate::{
 /// A resultant about a point, inertial components, and how it changes, speed by speed.
 #[derive(Debug)]
 pub struct Resultant {
-    /// What it is.
+    /// Its value.
     pub whole: Momentum,
     /// With the coordinates, along the motions of the speeds.
     pub by_q: Vec<Momentum>,
@@ -49,7 +49,7 @@ pub struct Resultant {
 /// The momentum of all bodies about the inertial origin.
 pub fn of_momentum(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Resultant {
     let linkage = Linkage::weightless(graph, tree, plan);
-    let about = Wanted::AboutOrigin;
+    let about = Reference::Origin;
     let columns = Columns::new(graph, &linkage, about, Accelerations::Given);
     columns.of_momentum(graph, tree)
 }
@@ -59,7 +59,7 @@ pub fn of_momentum_rate(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Resu
     let plan = root::kept_whole(tree, plan);
     let linkage = Linkage::weightless(graph, tree, &plan);
     let center = center::from_first(graph, tree, &linkage.links);
-    let about = Wanted::AboutCenter(center);
+    let about = Reference::Center(center);
     let columns = Columns::new(graph, &linkage, about, Accelerations::Zero);
     let mut found = columns.of_rate(graph, tree);
     let carried = columns.summed(graph, tree, |own| own.carrying.momentum.wrench);
@@ -106,7 +106,7 @@ fn by_mass(
             by_u: vec![zero; tree.n_speeds],
         };
     };
-    let columns = Columns::new(graph, &linkage, Wanted::Times(first), accelerations);
+    let columns = Columns::new(graph, &linkage, Reference::Times(first), accelerations);
     let found = part(&columns, graph, tree);
     graph.enter(None);
     found.map(|own| Momentum {
@@ -127,11 +127,11 @@ impl Resultant {
 
     /// Where the system rests and its accelerations are the speeds.
     fn at_rest(&self, graph: &mut ExprGraph, tree: &Tree) -> Self {
-        let mut entries = Vec::new();
-        self.map(|own| {
-            entries.extend([own.linear, own.angular].concat());
-            *own
-        });
+        let all = std::iter::once(&self.whole);
+        let all = all.chain(&self.by_q).chain(&self.by_u);
+        let entries: Vec<Expr> = all
+            .flat_map(|own| [own.linear, own.angular].concat())
+            .collect();
         let speeds = (0..tree.n_speeds).map(SpeedId::new);
         let values = speeds.flat_map(|speed| {
             let own = graph.input(Input::U(speed));
@@ -162,7 +162,7 @@ impl Columns {
     fn new(
         graph: &mut ExprGraph,
         linkage: &Linkage<'_>,
-        about: Wanted,
+        about: Reference,
         accelerations: Accelerations<'_>,
     ) -> Self {
         let Linkage { tree, passages, .. } = linkage;
@@ -185,7 +185,7 @@ impl Columns {
             let mut carried = Carried {
                 passing: gathering.at(body),
                 columns: std::mem::take(&mut columns[body]),
-                is_alone: matches!(about, Wanted::AboutCenter(_)) && lower.is_none() && is_one,
+                is_alone: matches!(about, Reference::Center(_)) && lower.is_none() && is_one,
                 stand: lower.and_then(|lower| stands.links[lower]),
                 arrived: &mut found.columns,
             };
@@ -223,7 +223,7 @@ impl Columns {
         found.at_rest(graph, tree)
     }
 
-    /// What is needed.
+    /// The rate of momentum where no speed changes.
     fn of_rate(&self, graph: &mut ExprGraph, tree: &Tree) -> Resultant {
         Resultant {
             whole: self.whole,
@@ -288,7 +288,11 @@ impl Carried<'_> {
         let from_point = stand.from_point(graph, offset);
         for mut column in self.columns.drain(..) {
             column.reach(graph, from_point, Next::UNKNOWN);
-            column.turn(graph, stand.rotation());
+            if stand.has_factor() {
+                column.turn_with_all(graph, stand.rotation());
+            } else {
+                column.turn(graph, stand.rotation());
+            }
             self.arrived.push(column);
         }
     }

@@ -3,7 +3,7 @@
 
 use super::{
     axes, center,
-    stands::{self, Stand, Stands, Wanted},
+    stands::{self, Reference, Stand, Stands},
 };
 use crate::{
     expr::{ExprGraph, Purpose, Vector},
@@ -29,14 +29,14 @@ pub fn momentum_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<M
     let plan = root::kept_whole(tree, plan);
     let linkage = Linkage::of_speeds(graph, tree, &plan);
     let center = center::from_first(graph, tree, &linkage.links);
-    let stands = Stands::new(graph, &linkage, Wanted::AboutCenter(center));
+    let stands = Stands::new(graph, &linkage, Reference::Center(center));
     summed(graph, &linkage, &stands)
 }
 
 /// The columns of the angular momentum about the inertial origin, inertial components, one a speed.
 pub fn angular_about_origin(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Vector> {
     let linkage = Linkage::of_speeds(graph, tree, plan);
-    let stands = Stands::new(graph, &linkage, Wanted::AboutOrigin);
+    let stands = Stands::new(graph, &linkage, Reference::Origin);
     let columns = summed(graph, &linkage, &stands).into_iter();
     columns.map(|column| column.angular).collect()
 }
@@ -48,7 +48,7 @@ pub fn center_jacobian(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<V
     let Some([first, last]) = stands::by_mass(graph, &linkage) else {
         return vec![graph.zero_vector(); tree.n_speeds];
     };
-    let stands = Stands::new(graph, &linkage, Wanted::Times(first));
+    let stands = Stands::new(graph, &linkage, Reference::Times(first));
     let columns = summed(graph, &linkage, &stands).into_iter();
     graph.enter(None);
     let columns = columns.map(|column| graph.scale(last, column.linear));
@@ -64,7 +64,7 @@ pub fn center_jacobian_with_axes(
     let plan = root::kept_whole(tree, plan);
     let linkage = Linkage::of_speeds(graph, tree, &plan);
     let one = graph.one();
-    let stands = Stands::new(graph, &linkage, Wanted::Times(one));
+    let stands = Stands::new(graph, &linkage, Reference::Times(one));
     let columns = summed(graph, &linkage, &stands).into_iter();
     let columns = columns.map(|column| given::over_total_mass(graph, tree, column.linear));
     let columns = columns.collect();

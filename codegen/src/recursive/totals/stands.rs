@@ -46,7 +46,7 @@ impl Stand {
     }
 
     /// True where there is a factor of all bodies.
-    pub(super) fn has_factor(&self) -> bool {
+    pub(in crate::recursive) fn has_factor(&self) -> bool {
         self.has_factor
     }
 
@@ -80,14 +80,14 @@ pub(super) fn turned(graph: &mut ExprGraph, to_axes: &Matrix, rotation: &dyn Tur
     transpose(&columns.map(|axis| rotation.forward(graph, axis)))
 }
 
-/// What columns are to be in the end.
+/// What columns are to be in the end: about which point.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::recursive) enum Wanted {
+pub(in crate::recursive) enum Reference {
     /// Momenta about the mass centre, which is given from the origin of the first link on the inertial frame.
-    AboutCenter(Vector),
+    Center(Vector),
     /// Momenta about the inertial origin.
-    AboutOrigin,
-    /// Linear momenta times a factor.
+    Origin,
+    /// Linear momenta times a factor; no point matters.
     Times(Expr),
 }
 
@@ -105,7 +105,7 @@ impl Stands {
     pub(in crate::recursive) fn new(
         graph: &mut ExprGraph,
         linkage: &Linkage<'_>,
-        wanted: Wanted,
+        wanted: Reference,
     ) -> Self {
         let Linkage {
             tree, links, plan, ..
@@ -117,12 +117,12 @@ impl Stands {
             point,
         };
         let inertial = match wanted {
-            Wanted::AboutCenter(center) => about(center),
-            Wanted::AboutOrigin => {
+            Reference::Center(center) => about(center),
+            Reference::Origin => {
                 let first = root::origin(graph, tree, &links[BodyId::new(0)], BodyId::new(0));
                 about(first.map(|entry| -entry))
             }
-            Wanted::Times(factor) => Stand {
+            Reference::Times(factor) => Stand {
                 rotation: axes.map(|axis| graph.scale(factor, axis)),
                 has_factor: graph.as_number(factor) != Some(1.0),
                 point: graph.zero_vector(),
@@ -143,14 +143,14 @@ impl Stands {
                 graph.enter(body);
                 links[body].passage.outward(graph, &mut stand);
                 graph.name_matrix(&stand.rotation, "rot");
-                graph.name_vector(stand.point, "to_center");
+                graph.name_vector(stand.point, "to_point");
                 Some(stand)
             },
         );
         Self {
             links,
             inertial,
-            ignores_shifts: !matches!(wanted, Wanted::AboutOrigin),
+            ignores_shifts: !matches!(wanted, Reference::Origin),
         }
     }
 

@@ -161,6 +161,11 @@ impl CoriolisColumn {
 
     pub(in crate::recursive) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
         graph.enter(self.body);
+        self.turn_here(graph, rotation);
+    }
+
+    /// The same in the scope that has been entered.
+    pub(in crate::recursive) fn turn_here(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
         self.needed.turn(graph, rotation);
         self.momentum.turn(graph, rotation);
         self.couple = rotation.backward(graph, self.couple);
