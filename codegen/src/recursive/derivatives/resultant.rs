@@ -235,9 +235,9 @@ impl Columns {
     /// Adds what a link on the inertial frame needs with all that it carries.
     fn add(&mut self, graph: &mut ExprGraph, stand: &Stand, wrench: Wrench) {
         let nowhere = graph.zero_vector();
-        let from_point = stand.from_point(graph, nowhere);
+        let lever = stand.lever(graph, nowhere);
         graph.enter(None);
-        let wrench = wrench.moved(graph, from_point);
+        let wrench = wrench.moved(graph, lever);
         let Wrench { force, moment } = wrench.map(|v| stand.rotation().backward(graph, v));
         let own = Momentum {
             linear: force,
@@ -285,9 +285,9 @@ struct Carried<'a> {
 impl Carried<'_> {
     /// Sends all columns to inertial axes, from an origin that lies at `offset` from that of the stand.
     fn leave(&mut self, graph: &mut ExprGraph, stand: &Stand, offset: Vector) {
-        let from_point = stand.from_point(graph, offset);
+        let lever = stand.lever(graph, offset);
         for mut column in self.columns.drain(..) {
-            column.reach(graph, from_point, Next::UNKNOWN);
+            column.reach(graph, lever, Next::UNKNOWN);
             if stand.has_factor() {
                 column.turn_with_all(graph, stand.rotation());
             } else {

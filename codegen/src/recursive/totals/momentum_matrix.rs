@@ -154,9 +154,9 @@ impl Carried<'_> {
 
     /// Sends all columns to inertial axes, from an origin that lies at `offset` from that of the stand.
     fn leave(&mut self, graph: &mut ExprGraph, stand: &Stand, offset: Vector) {
-        let from_point = stand.from_point(graph, offset);
+        let lever = stand.lever(graph, offset);
         for column in &mut self.columns {
-            column.shift(graph, from_point);
+            column.shift(graph, lever);
         }
         self.at_point.append(&mut self.columns);
         for column in &mut self.at_point {

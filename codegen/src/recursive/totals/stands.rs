@@ -36,7 +36,7 @@ pub(in crate::recursive) struct Stand {
 
 impl Stand {
     /// From the point to an origin that lies at `offset`.
-    pub(in crate::recursive) fn from_point(&self, graph: &mut ExprGraph, offset: Vector) -> Vector {
+    pub(in crate::recursive) fn lever(&self, graph: &mut ExprGraph, offset: Vector) -> Vector {
         graph.sub_vectors(offset, self.point)
     }
 
