@@ -5,8 +5,7 @@
 //! `differential-equations`): explicit, order 8 with an error estimate of orders 5 and 3. It steps to each
 //! output time exactly and interpolates nothing (the dense output of that crate's version 0.7.0 is of low order), so
 //! times closer than its own steps cost a step each. Stiff systems take very many steps, and mostly end as
-//! [`SimulateError::MaxSteps`]. At a discontinuity of
-//! the control law its steps become tiny: simulate up to it and restart there.
+//! [`SimulateError::MaxSteps`]. At a discontinuity of the control law its steps become tiny: simulate up to it and restart there.
 
 use core::cell::RefCell;
 use core::error::Error;
@@ -24,7 +23,7 @@ use crate::{Array, System, manifold};
 /// Error tolerances and the step limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// The local error allowed, as a mean over all coordinates and speeds, relative to their sizes. Default 1e-9.
+    /// The local error allowed, relative to the size of each coordinate and speed: a mean over all of them. Default 1e-9.
     pub relative: f64,
     /// The additional absolute local error allowed, rad, m, rad/s, m/s. Default 1e-12.
     pub absolute: f64,

@@ -63,7 +63,7 @@ impl Request {
         parts.any(|part| part.subject.is_some())
     }
 
-    /// True for a body on the way from the inertial frame to one of its frames, and for all where not only these ways matter.
+    /// True for bodies between the inertial frame and its frames, and for all bodies where more than these paths matters.
     pub fn paths(&self, tree: &Tree) -> BodyMap<bool> {
         let mut subjects = self.parts.iter().map(|part| part.subject.as_ref());
         let is_of_paths =

@@ -77,9 +77,11 @@ pub enum Data<'a> {
     Costs(Vec<&'a Function>),
 }
 
-const COORDINATES_DOC: &str = "The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.";
+/// What names of coordinates mean that end in a letter and a number.
+pub(crate) const COORDINATES: &str = "theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.";
 
-const SPEEDS_DOC: &str = "The speeds' names; w is a component of the relative angular velocity.";
+/// The same of speeds.
+pub(crate) const SPEEDS: &str = "w is a component of the relative angular velocity.";
 
 impl Facts {
     /// The constants of every module, but for its hash and costs.
@@ -124,12 +126,18 @@ impl Facts {
             ),
             constant(
                 COORDINATE_NAMES,
-                format!("{COORDINATES_DOC} {}.", by_place(&self.units.coordinates)),
+                format!(
+                    "The coordinates' names: {COORDINATES} {}.",
+                    by_place(&self.units.coordinates)
+                ),
                 texts(N_COORDINATES, &self.coordinates),
             ),
             constant(
                 SPEED_NAMES,
-                format!("{SPEEDS_DOC} {}.", by_place(&self.units.speeds)),
+                format!(
+                    "The speeds' names; {SPEEDS} {}.",
+                    by_place(&self.units.speeds)
+                ),
                 texts(N_SPEEDS, &self.speeds),
             ),
             constant(

@@ -68,6 +68,12 @@ impl Tree {
         &self.body(body).uppers
     }
 
+    /// The body on the inertial frame, where it is the only one.
+    pub fn only_root(&self) -> Option<BodyId> {
+        let mut roots = self.body_ids().filter(|body| self.lower(*body).is_none());
+        roots.next().filter(|_| roots.next().is_none())
+    }
+
     /// The body, its lower body, and so on down to its root.
     pub fn path(&self, body: BodyId) -> impl Iterator<Item = BodyId> + '_ {
         std::iter::successors(Some(body), |&body| self.lower(body))

@@ -88,11 +88,7 @@ pub(crate) fn run(
     } else {
         // Where no package is found, a path that is missing or is no module is the likely reason.
         let root = depended_on(&arguments.modules[0]);
-        root.map_err(|unknown| {
-            let checked = check_modules(&arguments.modules);
-            let checked = checked.and_then(|()| check_names(&arguments.modules));
-            checked.err().unwrap_or(unknown)
-        })?
+        root.map_err(|unknown| check_modules(&arguments.modules).err().unwrap_or(unknown))?
     };
     let runtime = Runtime::new(&root, &options)?;
     let all = arguments.modules.iter();
@@ -137,26 +133,7 @@ pub(crate) fn run(
     })
 }
 
-/// Refuses what cannot be a module.
-fn check_names(paths: &[PathBuf]) -> Result<(), Failures> {
-    let mut failures = Failures::default();
-    for path in paths {
-        let what = if path.is_dir() {
-            "is a folder"
-        } else if path.extension().is_none_or(|ending| ending != "rs") {
-            "is no Rust file"
-        } else {
-            continue;
-        };
-        let path = path.display();
-        failures.add(Failures::message(format!(
-            "`{path}` {what}; expected a generated module, such as `src/arm.rs`"
-        )));
-    }
-    failures.none()
-}
-
-/// Refuses what is not there.
+/// Refuses what is not there, and what cannot be a module.
 fn check_modules(modules: &[PathBuf]) -> Result<(), Failures> {
     let mut failures = Failures::default();
     for path in modules {
@@ -164,7 +141,19 @@ fn check_modules(modules: &[PathBuf]) -> Result<(), Failures> {
             path: path.clone(),
             source,
         });
-        failures.keep(opened);
+        let Some(opened) = failures.keep(opened) else {
+            continue;
+        };
+        let is_rust = path.extension().is_some_and(|ending| ending == "rs");
+        let what = match (opened.is_dir(), is_rust) {
+            (true, _) => "is a folder",
+            (false, false) => "is no Rust file",
+            (false, true) => continue,
+        };
+        failures.add(Failures::message(format!(
+            "`{}` {what}; expected a generated module, such as `src/arm.rs`",
+            path.display()
+        )));
     }
     failures.none()
 }

@@ -155,7 +155,7 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
     ),
     (
         "acceleration(FRAME)",
-        "as in Drake; the linear part of other spatial accelerations is less by `ω × v`",
+        "which is Drake's; that of other tools has a linear part that is less by `ω × v`",
         &["spatialacceleration"],
     ),
     (

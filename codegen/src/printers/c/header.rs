@@ -1,6 +1,6 @@
 //! The header: what a module's functions are in C, from the table that the file with their Rust side is written from.
 
-use std::collections::BTreeSet;
+use std::{borrow::Cow, collections::BTreeSet};
 
 use super::{
     data,
@@ -11,7 +11,11 @@ use super::{
 };
 use crate::{
     functions::{Access, Declared, Element, Length, Signature},
-    listing::{Facts, Module, Size, nominal},
+    listing::{
+        Facts, Module, Size,
+        constants::{COORDINATES, SPEEDS},
+        nominal,
+    },
     taken::Taken,
     words::{C_INPUT, C_STRUCTURES},
 };
@@ -82,7 +86,7 @@ struct Header<'a> {
 struct Places<'a> {
     /// What the names begin with.
     kind: &'static str,
-    doc: &'static str,
+    doc: Cow<'static, str>,
     names: Vec<&'a str>,
     /// The unit of each, where they have any.
     units: &'a [&'static str],
@@ -141,31 +145,32 @@ impl Header<'_> {
         let mut lists = vec![
             Places {
                 kind: "BODY",
-                doc: "The bodies.",
+                doc: "The bodies.".into(),
                 names: bodies.collect(),
                 units: &[],
             },
             Places {
                 kind: "Q",
-                doc: "The coordinates: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.",
+                doc: format!("The coordinates: {COORDINATES}").into(),
                 names: facts.coordinates.iter().map(String::as_str).collect(),
                 units: &facts.units.coordinates,
             },
             Places {
                 kind: "U",
-                doc: "The speeds; w is a component of the relative angular velocity.",
+                doc: format!("The speeds; {SPEEDS}").into(),
                 names: facts.speeds.iter().map(String::as_str).collect(),
                 units: &facts.units.speeds,
             },
             Places {
                 kind: "PARAMETER",
-                doc: "The values set at run time, as columns of derivatives by all of them.",
+                doc: "The values set at run time, as columns of derivatives by all of them.".into(),
                 names: parameters.collect(),
                 units: &[],
             },
             Places {
                 kind: "ANGLE",
-                doc: "The angles among the coordinates, in the order of their sines and cosines.",
+                doc: "The angles among the coordinates, in the order of their sines and cosines."
+                    .into(),
                 names: angles.map(|angle| angle.name.as_str()).collect(),
                 units: &[],
             },

@@ -75,14 +75,17 @@ impl DerivativeColumn {
     }
 
     pub(super) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
-        self.carrying.turn(graph, rotation);
-        self.displaced.turn(graph, rotation);
+        self.turn_in(graph, Some(self.carrying.body), rotation);
     }
 
-    /// By a rotation that holds a factor of all bodies, to which the products then belong.
-    pub(super) fn turn_with_all(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
-        graph.enter(None);
-        self.carrying.turn_here(graph, rotation);
+    /// The same in another scope.
+    pub(super) fn turn_in(
+        &mut self,
+        graph: &mut ExprGraph,
+        scope: Option<BodyId>,
+        rotation: &dyn Turn,
+    ) {
+        self.carrying.turn_in(graph, scope, rotation);
         self.displaced.turn(graph, rotation);
     }
 

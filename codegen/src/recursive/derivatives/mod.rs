@@ -36,7 +36,7 @@ use self::{
     carried::Carried,
     column::DerivativeColumn,
     lockstep::Inward,
-    passing::Gathering,
+    passing::Composites,
     way::{Went, ways},
 };
 use super::{
@@ -137,7 +137,7 @@ impl Sweep<'_> {
     fn run(&self, graph: &mut ExprGraph, begins: &mut Begins) -> Derivatives {
         let Self { linkage, ways, .. } = self;
         let tree = linkage.tree;
-        let mut gathering = Gathering::new(graph, linkage, ways, &self.wrenches);
+        let mut composites = Composites::new(graph, linkage, ways, &self.wrenches);
         let mut columns =
             BodyMap::outward(tree.bodies.len(), |_, _| Vec::<DerivativeColumn>::new());
         let mut shortcuts = Shortcuts::new(graph, linkage);
@@ -151,7 +151,7 @@ impl Sweep<'_> {
         for body in tree.body_ids().rev() {
             graph.enter(body);
             let mut carried = Carried {
-                passing: gathering.at(body),
+                passing: composites.at(body),
                 shortcuts: &mut shortcuts,
                 columns: std::mem::take(&mut columns[body]),
                 found: &mut found,
@@ -167,7 +167,7 @@ impl Sweep<'_> {
                 ..
             } = carried;
             if let Some(lower) = tree.lower(body) {
-                gathering.add(graph, lower, &passing, |graph| {
+                composites.add(graph, lower, &passing, |graph| {
                     for column in &others {
                         column.hint(graph, tree, lower);
                     }

@@ -1,4 +1,4 @@
-//! A composite body on its way inward through a joint, where columns begin.
+//! Composite bodies on their way inward, where columns begin.
 
 use super::{
     start::Start,
@@ -23,14 +23,14 @@ use crate::{
     tree::Motion,
 };
 
-/// What links have gathered of composite bodies.
-pub(super) struct Gathering<'a> {
+/// Links with what they have gathered so far of those that they carry.
+pub(super) struct Composites<'a> {
     ways: &'a BodyMap<Went>,
-    moments: Gathered<Rates>,
+    gathered: Gathered<Rates>,
     wrenches: BodyMap<Wrench>,
 }
 
-impl<'a> Gathering<'a> {
+impl<'a> Composites<'a> {
     /// Nothing but the links themselves, and the wrenches that they need.
     pub(super) fn new(
         graph: &mut ExprGraph,
@@ -40,7 +40,7 @@ impl<'a> Gathering<'a> {
     ) -> Self {
         Self {
             ways,
-            moments: Gathered::new(graph, linkage),
+            gathered: Gathered::new(graph, linkage),
             wrenches: wrenches.clone(),
         }
     }
@@ -49,8 +49,8 @@ impl<'a> Gathering<'a> {
     pub(super) fn at(&self, body: BodyId) -> Passing<'a> {
         Passing {
             body,
-            moments: self.moments.moments[body],
-            rates: self.moments.rates[body],
+            moments: self.gathered.moments[body],
+            rates: self.gathered.rates[body],
             wrench: self.wrenches[body],
             way: &self.ways[body].at_motions,
         }
@@ -65,7 +65,7 @@ impl<'a> Gathering<'a> {
         name_columns: impl FnOnce(&mut ExprGraph),
     ) {
         let moments = (&come.moments, &come.rates);
-        self.moments.add(graph, lower, moments, name_columns);
+        self.gathered.add(graph, lower, moments, name_columns);
         self.wrenches[lower] = self.wrenches[lower].plus(graph, &come.wrench);
     }
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::{
     column::DerivativeColumn,
-    passing::{Gathering, Passing},
+    passing::{Composites, Passing},
     reader::Reader,
     way::{At, ways},
 };
@@ -170,11 +170,11 @@ impl Columns {
         let stands = Stands::new(graph, linkage, about);
         graph.begin(Purpose::Derivative);
         let ways = ways(graph, linkage, accelerations);
-        let mut gathering = Gathering::new(graph, linkage, &ways, &wrenches);
+        let mut composites = Composites::new(graph, linkage, &ways, &wrenches);
         let mut columns =
             BodyMap::outward(tree.bodies.len(), |_, _| Vec::<DerivativeColumn>::new());
-        let roots = tree.body_ids().filter(|body| tree.lower(*body).is_none());
-        let is_one = roots.count() == 1;
+        let is_about_center = matches!(about, Reference::Center(_));
+        let only_root = tree.only_root().filter(|_| is_about_center);
         let mut found = Self {
             whole: Momentum::zero(graph),
             columns: Vec::new(),
@@ -183,9 +183,9 @@ impl Columns {
             graph.enter(body);
             let lower = tree.lower(body);
             let mut carried = Carried {
-                passing: gathering.at(body),
+                passing: composites.at(body),
                 columns: std::mem::take(&mut columns[body]),
-                is_alone: matches!(about, Reference::Center(_)) && lower.is_none() && is_one,
+                is_alone: only_root == Some(body),
                 stand: lower.and_then(|lower| stands.links[lower]),
                 arrived: &mut found.columns,
             };
@@ -203,7 +203,7 @@ impl Columns {
                 columns: others,
                 ..
             } = carried;
-            gathering.add(graph, lower, &passing, |graph| {
+            composites.add(graph, lower, &passing, |graph| {
                 for column in &others {
                     column.hint(graph, tree, lower);
                 }
@@ -288,11 +288,8 @@ impl Carried<'_> {
         let lever = stand.lever(graph, offset);
         for mut column in self.columns.drain(..) {
             column.reach(graph, lever, Next::UNKNOWN);
-            if stand.has_factor() {
-                column.turn_with_all(graph, stand.rotation());
-            } else {
-                column.turn(graph, stand.rotation());
-            }
+            let scope = stand.scope(column.carrying.body);
+            column.turn_in(graph, scope, stand.rotation());
             self.arrived.push(column);
         }
     }

@@ -60,17 +60,17 @@ impl Column {
 
     /// To the axes before a rotation.
     pub(in crate::recursive) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
-        graph.enter(self.body);
-        self.momentum.turn(graph, rotation);
+        self.turn_in(graph, Some(self.body), rotation);
     }
 
-    /// The same by a rotation that holds a factor of all bodies, to which the products then belong.
-    pub(in crate::recursive) fn turn_with_all(
+    /// The same in another scope.
+    pub(in crate::recursive) fn turn_in(
         &mut self,
         graph: &mut ExprGraph,
+        scope: Option<BodyId>,
         rotation: &dyn Turn,
     ) {
-        graph.enter(None);
+        graph.enter(scope);
         self.momentum.turn(graph, rotation);
     }
 

@@ -91,8 +91,7 @@ fn summed(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec<
 fn arrived(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec<Column> {
     let Linkage { tree, passages, .. } = linkage;
     let mut composites = BodyMap::outward(tree.bodies.len(), |body, _| linkage.links[body].inertia);
-    let roots = tree.body_ids().filter(|body| tree.lower(*body).is_none());
-    let n_roots = roots.count();
+    let only_root = tree.only_root().filter(|_| stands.ignores_shifts);
     graph.begin(Purpose::Momentum);
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
     let mut arrived = Vec::new();
@@ -108,7 +107,7 @@ fn arrived(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec
             composite,
             columns: std::mem::take(&mut columns[body]),
             at_point: Vec::new(),
-            is_alone: stands.ignores_shifts && lower.is_none() && n_roots == 1,
+            is_alone: only_root == Some(body),
             stand: lower.and_then(|lower| stands.links[lower]),
         };
         passages[body].inward(graph, &mut carried);
@@ -160,11 +159,7 @@ impl Carried<'_> {
         }
         self.at_point.append(&mut self.columns);
         for column in &mut self.at_point {
-            if stand.has_factor() {
-                column.turn_with_all(graph, stand.rotation());
-            } else {
-                column.turn(graph, stand.rotation());
-            }
+            column.turn_in(graph, stand.scope(column.body()), stand.rotation());
         }
     }
 }

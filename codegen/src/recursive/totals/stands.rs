@@ -45,9 +45,9 @@ impl Stand {
         &self.rotation
     }
 
-    /// True where there is a factor of all bodies.
-    pub(in crate::recursive) fn has_factor(&self) -> bool {
-        self.has_factor
+    /// The scope in which what belongs to a body is turned: products with a factor of all bodies belong to all.
+    pub(in crate::recursive) fn scope(&self, body: BodyId) -> Option<BodyId> {
+        (!self.has_factor).then_some(body)
     }
 
     fn at_root(self, graph: &mut ExprGraph, linkage: &Linkage<'_>, body: BodyId) -> Self {
@@ -80,7 +80,7 @@ pub(super) fn turned(graph: &mut ExprGraph, to_axes: &Matrix, rotation: &dyn Tur
     transpose(&columns.map(|axis| rotation.forward(graph, axis)))
 }
 
-/// What columns are to be in the end: about which point.
+/// About which point columns are to be in the end.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::recursive) enum Reference {
     /// Momenta about the mass centre, which is given from the origin of the first link on the inertial frame.

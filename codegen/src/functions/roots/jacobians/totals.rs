@@ -1,4 +1,5 @@
-//! Derivatives of energies and momenta of the whole system: gradients are forces and momenta, which have recursions of their own.
+//! Derivatives of energies, momenta and the mass centre of the whole system: gradients of energies are forces and momenta; the others are
+//! resultants.
 
 use std::collections::BTreeMap;
 
@@ -114,18 +115,18 @@ pub(in crate::functions) fn center_jacobian_dot_u(
 
 /// Of parts of a resultant, a row for each component.
 fn of_resultant(found: &Resultant, parts: fn(&Momentum) -> Vec<Vector>) -> Jacobians {
+    let values = parts(&found.whole).concat();
     let matrix = |columns: &[Momentum]| {
         let columns: Vec<Vec<Expr>> = columns.iter().map(|own| parts(own).concat()).collect();
-        let n_rows = columns.first().map_or(0, Vec::len);
         let row = |row: usize| columns.iter().map(|column| column[row]).collect();
-        (0..n_rows).map(row).collect()
+        (0..values.len()).map(row).collect()
     };
     Jacobians {
         by: vec![
             (Argument::Q, matrix(&found.by_q)),
             (Argument::U, matrix(&found.by_u)),
         ],
-        values: Some(parts(&found.whole).concat()),
+        values: Some(values),
         mass: None,
     }
 }

@@ -160,12 +160,17 @@ impl CoriolisColumn {
     }
 
     pub(in crate::recursive) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
-        graph.enter(self.body);
-        self.turn_here(graph, rotation);
+        self.turn_in(graph, Some(self.body), rotation);
     }
 
-    /// The same in the scope that has been entered.
-    pub(in crate::recursive) fn turn_here(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
+    /// The same in another scope.
+    pub(in crate::recursive) fn turn_in(
+        &mut self,
+        graph: &mut ExprGraph,
+        scope: Option<BodyId>,
+        rotation: &dyn Turn,
+    ) {
+        graph.enter(scope);
         self.needed.turn(graph, rotation);
         self.momentum.turn(graph, rotation);
         self.couple = rotation.backward(graph, self.couple);
