@@ -128,7 +128,7 @@ fn in_lockstep(plans: &Plans<'_>, request: &Request, one_by_one: Planned) -> Pla
     // As if nothing else was in the module.
     let program = |planned: &Planned| {
         let (derived, mut preparation) = (&planned.derived, Preparation::default());
-        pipeline::program(tree, request, derived, &mut preparation, Lowering::DEFAULT)
+        pipeline::program(tree, request, derived, &mut preparation, Lowering::DRAFT)
     };
     let with = |arrangement| {
         let planned = Planned::new(tree, request, arrangement);

@@ -31,11 +31,10 @@ use pipeline::Lowering;
 
 use crate::{
     error::Error,
-    functions::{CompactBlock, Formulation, PREPARED_NEW, Request},
+    functions::{CompactBlock, Derived, Formulation, PREPARED_NEW, Request},
     options::Options,
     passes::hoist::Preparation,
     program::{self, Operations, Program},
-    recursive::Technique,
     threads,
     tree::Tree,
 };
@@ -82,8 +81,8 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
         choose(&plans, request, options.formulation)
     });
     let lowering = Lowering {
-        side_by_side: !options.without.contains(&Technique::Lockstep),
         fuses: options.fma,
+        ..Lowering::without(&options.without)
     };
     for (request, choice) in requests.into_iter().zip(choices) {
         let Choice {
@@ -118,6 +117,14 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
         fields,
         functions,
     })
+}
+
+/// The operations of a function as it is emitted; as it was derived where its numbers overflow.
+pub fn emitted(plans: &Plans<'_>, request: &Request, derived: &Derived) -> Operations {
+    let lowering = Lowering::without(plans.without);
+    let mut preparation = Preparation::default();
+    let program = pipeline::program(plans.tree, request, derived, &mut preparation, lowering);
+    program.map_or_else(|| operations(derived), |program| program.operations())
 }
 
 /// Checks the poses of frames, which a module has whatever is asked for.

@@ -3,10 +3,12 @@
 //! In: a function as it was derived. Out: its expressions after the passes that see one function alone, whose operations are
 //! compared; then its program, with what depends on parameters alone taken out.
 
+use std::collections::BTreeSet;
+
 use super::branches;
 use crate::{
     functions::{Arrangement, Derived, Request},
-    passes::{angles, factor, hoist, hoist::Preparation, sines},
+    passes::{angles, factor, hoist, hoist::Preparation, reuse, sines},
     program::{self, Program},
     recursive::Technique,
     tree::Tree,
@@ -42,16 +44,28 @@ pub(super) fn with_sines(tree: &Tree, request: &Request, mut derived: Derived) -
 pub(super) struct Lowering {
     /// What branches go through alike is written once.
     pub(super) side_by_side: bool,
+    /// Values are made of others that are there.
+    pub(super) reuses: bool,
     /// Products and sums are fused.
     pub(super) fuses: bool,
 }
 
 impl Lowering {
-    /// Where nothing else is said.
-    pub(super) const DEFAULT: Self = Self {
+    /// Where nothing else is said, but for what takes long and changes little.
+    pub(super) const DRAFT: Self = Self {
         side_by_side: true,
+        reuses: false,
         fuses: false,
     };
+
+    /// Without some techniques.
+    pub(super) fn without(without: &BTreeSet<Technique>) -> Self {
+        Self {
+            side_by_side: !without.contains(&Technique::Lockstep),
+            reuses: !without.contains(&Technique::Reuse),
+            fuses: false,
+        }
+    }
 }
 
 /// The program of a function that is finished; what depends on parameters alone goes to the preparation. `None` where numbers overflow.
@@ -68,11 +82,14 @@ pub(super) fn program(
     if graph.overflowed() || hoisted.overflowed() {
         return None;
     }
-    let program = if lowering.side_by_side {
-        branches::flattened(tree, &request.arguments(), &hoisted, &roots)
-    } else {
-        program::flatten(&hoisted, &roots)
-    };
+    let (mut graph, mut roots) = (hoisted, roots);
+    if lowering.side_by_side {
+        (graph, roots) = branches::arranged(tree, &request.arguments(), graph, roots);
+    }
+    if lowering.reuses {
+        (graph, roots) = reuse::run(tree, graph, roots);
+    }
+    let program = program::flatten(&graph, &roots);
     Some(if lowering.fuses {
         program::fuse(program)
     } else {

@@ -58,7 +58,7 @@ impl Field {
     }
 
     /// `1 / self`; zero for zero.
-    fn reciprocal(self) -> Self {
+    pub(crate) fn reciprocal(self) -> Self {
         let (mut power, mut square, mut exponent) = (Self::ONE, self, PRIME - 2);
         while exponent > 0 {
             if exponent & 1 == 1 {
@@ -68,6 +68,12 @@ impl Field {
             exponent >>= 1;
         }
         power
+    }
+
+    /// The smaller of this and its negative, as numbers below the prime, and whether that is the negative.
+    pub(crate) fn magnitude(self) -> (u64, bool) {
+        let negative = -self;
+        (self.0.min(negative.0), negative.0 < self.0)
     }
 }
 
@@ -142,8 +148,11 @@ impl Mul for Field {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let product = u128::from(self.0) * u128::from(other.0) % u128::from(PRIME);
-        Self(u64::try_from(product).expect("less than the prime"))
+        // What 2^61 divides counts as one.
+        let product = u128::from(self.0) * u128::from(other.0);
+        let [low, high] = [product & u128::from(PRIME), product >> 61]
+            .map(|part| u64::try_from(part).expect("each has 61 bits"));
+        Self((low + high) % PRIME)
     }
 }
 

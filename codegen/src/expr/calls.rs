@@ -69,6 +69,30 @@ impl ExprGraph {
         &self.locksteps[&number]
     }
 
+    /// Changes every helper, each once.
+    pub fn change_helpers(
+        &mut self,
+        change: impl Fn(&ExprGraph, &[Expr]) -> (ExprGraph, Vec<Expr>),
+    ) {
+        let mut changed: Vec<[Arc<Helper<Self>>; 2]> = Vec::new();
+        let own = self.locksteps.values_mut();
+        for helper in own.flat_map(|lockstep| &mut lockstep.helpers) {
+            let known = changed.iter().find(|[old, _]| Arc::ptr_eq(old, helper));
+            let new = known.map(|[_, new]| Arc::clone(new));
+            *helper = new.unwrap_or_else(|| {
+                let (graph, roots) = change(&helper.graph, &helper.roots);
+                let lanes = helper.lanes;
+                let new = Arc::new(Helper {
+                    lanes,
+                    graph,
+                    roots,
+                });
+                changed.push([Arc::clone(helper), Arc::clone(&new)]);
+                new
+            });
+        }
+    }
+
     /// All that a call reads: what is shared, and what is of its columns.
     pub fn read_by(&self, call: CallId) -> impl Iterator<Item = Expr> + use<'_> {
         let of = self.lockstep(call.lockstep);

@@ -219,7 +219,10 @@ impl Function {
             Technique::Inward => self.passes_frames(),
             Technique::Levers => self.passes_frames() || self.has_inertial_columns(),
             Technique::Weights | Technique::Rates => self.techniques.contains(&technique),
-            Technique::DirectDerivatives | Technique::Reverse | Technique::Lockstep => false,
+            Technique::DirectDerivatives
+            | Technique::Reverse
+            | Technique::Lockstep
+            | Technique::Reuse => false,
             Technique::Slide
             | Technique::Turn
             | Technique::Parallel

@@ -16,5 +16,6 @@ pub mod branches;
 pub mod factor;
 pub mod hoist;
 mod rebuild;
+pub mod reuse;
 pub mod sines;
 mod theorems;

@@ -53,11 +53,13 @@ pub enum Technique {
     Lockstep,
     /// Common factors are taken out of sums.
     Factor,
+    /// Beside any plan: values that are sums, differences or products of others are made of these.
+    Reuse,
 }
 
 impl Technique {
     /// All of them, with the names that they have in `kane.toml`.
-    pub const ALL: [(&str, Self); 19] = [
+    pub const ALL: [(&str, Self); 20] = [
         ("slide", Self::Slide),
         ("turn", Self::Turn),
         ("regroup", Self::Regroup),
@@ -77,6 +79,7 @@ impl Technique {
         ("reverse", Self::Reverse),
         ("lockstep", Self::Lockstep),
         ("factor", Self::Factor),
+        ("reuse", Self::Reuse),
     ];
 
     /// False where one speed moves several joints, of what takes a speed's motion for the one of its own joint: that could

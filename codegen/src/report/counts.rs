@@ -17,7 +17,7 @@ use crate::{
 pub struct Counts {
     /// The function.
     pub function: Request,
-    /// Its formulations, each with the operations that it leaves in the loop.
+    /// Its formulations, each with the operations that it leaves in the loop, as it would be emitted.
     pub formulations: Vec<(Formulation, Operations)>,
     /// The one that costs least, which is what is generated where nothing else is asked for; `None` where the
     /// function would be too large in each of them.
@@ -35,7 +35,7 @@ pub fn count(tree: &Tree, functions: &[Request], without: &BTreeSet<Technique>) 
 fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
     let is_choice = function.formulations().len() > 1;
     let mut refused = None;
-    let formulations: Vec<_> = function
+    let derived: Vec<_> = function
         .formulations()
         .iter()
         .filter(|&&formulation| {
@@ -55,12 +55,19 @@ fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
                 .or(refused.take());
             !is_refused
         })
-        .map(|&formulation| {
-            let choice = compile::of_formulation(plans, function, formulation);
-            (formulation, compile::operations(&choice.derived))
-        })
+        .map(|&formulation| compile::of_formulation(plans, function, formulation))
         .collect();
-    let cheapest = cheapest(plans.tree, function, &formulations);
+    let derived = derived.iter();
+    let as_derived = derived.clone().map(|choice| {
+        let operations = compile::operations(&choice.derived);
+        (choice.formulation, operations)
+    });
+    let cheapest = cheapest(plans.tree, function, &as_derived.collect::<Vec<_>>());
+    let formulations = derived.map(|choice| {
+        let operations = compile::emitted(plans, function, &choice.derived);
+        (choice.formulation, operations)
+    });
+    let formulations = formulations.collect();
     Counts {
         function: function.clone(),
         formulations,

@@ -335,7 +335,7 @@ fn count(tree: &Tree, name: &str) -> usize {
     let none = BTreeSet::new();
     let plans = Plans::new(tree, &none);
     let choice = compile::choose(&plans, &request, options::Formulation::Cheapest);
-    compile::operations(&choice.derived).total()
+    compile::emitted(&plans, &request, &choice.derived).total()
 }
 
 #[test]

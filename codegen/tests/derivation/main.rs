@@ -32,6 +32,7 @@ mod passes;
 mod pinocchio;
 mod products;
 mod reference;
+mod reuse;
 mod sines;
 mod sparsity;
 mod sweeps;

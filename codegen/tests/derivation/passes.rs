@@ -8,10 +8,13 @@ use kane_codegen::{
     passes::{
         factor,
         hoist::{self, Preparation},
+        reuse,
     },
     program::{self, Operand, Operation, Operations, Program},
 };
 use kane_test_support::random::Random;
+
+use crate::reuse::eight_bodies;
 
 /// A random graph, rich in sums of products with common factors, with labels and scopes, and some of its nodes as roots.
 fn random_graph(seed: u64) -> (ExprGraph, Vec<Expr>) {
@@ -115,22 +118,22 @@ fn assert_same(seed: u64, new: (f64, f64), old: (f64, f64)) {
 
 const SEEDS: std::ops::Range<u64> = 0..300;
 
-#[test]
-fn factoring_keeps_the_value_of_every_root_and_never_raises_the_count() {
+/// Requires that a pass keeps the value of every root and raises no count, and that it lowers this many.
+fn hold(least: usize, pass: impl Fn(ExprGraph, Vec<Expr>) -> (ExprGraph, Vec<Expr>)) {
     let mut lowered = 0;
     for seed in SEEDS {
         let (graph, roots) = random_graph(seed);
-        let (factored, new_roots) = factor::run(graph.clone(), roots.clone());
+        let (changed, new_roots) = pass(graph.clone(), roots.clone());
         for (&new, &old) in new_roots.iter().zip(&roots) {
             assert_same(
                 seed,
-                bounded(&factored, new, input),
+                bounded(&changed, new, input),
                 bounded(&graph, old, input),
             );
         }
         let (before, after) = (
             operations(&graph, &roots).total(),
-            operations(&factored, &new_roots).total(),
+            operations(&changed, &new_roots).total(),
         );
         assert!(
             after <= before,
@@ -139,9 +142,20 @@ fn factoring_keeps_the_value_of_every_root_and_never_raises_the_count() {
         lowered += usize::from(after < before);
     }
     assert!(
-        lowered > 100,
-        "only {lowered} graphs had anything to factor: the test proves too little"
+        lowered > least,
+        "only {lowered} graphs had anything to change: the test proves too little"
     );
+}
+
+#[test]
+fn factoring_keeps_the_value_of_every_root_and_never_raises_the_count() {
+    hold(100, factor::run);
+}
+
+#[test]
+fn reusing_keeps_the_value_of_every_root_and_never_raises_the_count() {
+    let tree = eight_bodies();
+    hold(20, |graph, roots| reuse::run(&tree, graph, roots));
 }
 
 #[test]

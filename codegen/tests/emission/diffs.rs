@@ -121,7 +121,17 @@ fn changes(old: &str, new: &str) -> Vec<(char, String)> {
             if let Some(rest) = statement.strip_prefix("pub fn ") {
                 rest.split('<').next().unwrap().clone_into(&mut function);
             }
-            let statement = without_place(&statement);
+            // What a long function declares before it is assigned counts as declared where it is.
+            let (target, value) = statement.split_once(" = ").unwrap_or((&statement, ""));
+            if value.is_empty() && target.starts_with("let (") {
+                continue;
+            }
+            let is_declared = target.contains([' ', '[', '*', ':']);
+            let statement = if value.is_empty() || is_declared {
+                without_place(&statement)
+            } else {
+                format!("let {}", without_place(&statement))
+            };
             *counts.entry((function.clone(), statement)).or_default() += 1;
         }
         counts

@@ -1,0 +1,86 @@
+//! What the values of a body may be made of: one another, what they are computed from, and what the bodies on the path to it compute
+//! of nothing that comes from farther out.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::work::Work;
+use crate::{
+    expr::{Binding, Input, Node, NodeId},
+    id::BodyId,
+    tree::Tree,
+};
+
+/// The operations of the loop, by bodies.
+pub(super) struct Bodies<'a> {
+    tree: &'a Tree,
+    work: &'a Work<'a>,
+    operations: BTreeMap<Option<BodyId>, Vec<NodeId>>,
+}
+
+impl<'a> Bodies<'a> {
+    pub(super) fn new(tree: &'a Tree, work: &'a Work<'a>) -> Self {
+        let graph = work.graph;
+        let mut operations: BTreeMap<Option<BodyId>, Vec<NodeId>> = BTreeMap::new();
+        for &id in &work.order {
+            let is_operation = graph.node(id).operands().next().is_some();
+            if is_operation && graph.binding(id) == Binding::State {
+                operations.entry(graph.scope(id)).or_default().push(id);
+            }
+        }
+        Self {
+            tree,
+            work,
+            operations,
+        }
+    }
+
+    /// The bodies, and the operations of each.
+    pub(super) fn all(&self) -> impl Iterator<Item = (Option<BodyId>, &[NodeId])> {
+        let all = self.operations.iter();
+        all.map(|(body, operations)| (*body, operations.as_slice()))
+    }
+
+    /// The operations that are evaluated for a body: its own, and those on the path to it that need nothing from farther out.
+    pub(super) fn known(&self, body: Option<BodyId>) -> BTreeSet<NodeId> {
+        let mut known = BTreeSet::new();
+        let path = body
+            .into_iter()
+            .flat_map(|body| self.tree.path(body).skip(1));
+        let mut path: Vec<_> = path.map(Some).chain([None]).collect();
+        path.reverse();
+        for lower in path {
+            let operations = self.operations.get(&lower).into_iter().flatten();
+            for &id in operations {
+                if self
+                    .work
+                    .operands(id)
+                    .all(|id| self.is_from_below(id, &known))
+                {
+                    known.insert(id);
+                }
+            }
+        }
+        known.extend(self.operations.get(&body).into_iter().flatten());
+        known
+    }
+
+    fn is_from_below(&self, id: NodeId, known: &BTreeSet<NodeId>) -> bool {
+        let graph = self.work.graph;
+        match graph.node(id) {
+            Node::Input(input) => !matches!(input, Input::CallResult(_)),
+            Node::Number(_) | Node::Sin(_) | Node::Cos(_) => true,
+            _ => graph.binding(id) != Binding::State || known.contains(&id),
+        }
+    }
+
+    /// These operations, each after what it is computed from where that is first needed.
+    pub(super) fn given(&self, known: &BTreeSet<NodeId>) -> Vec<NodeId> {
+        let mut in_order: Vec<NodeId> = known.iter().copied().collect();
+        in_order.sort_by_key(|id| self.work.place(*id));
+        let mut is_given = BTreeSet::new();
+        let all = in_order.into_iter();
+        all.flat_map(|id| self.work.operands(id).chain([id]))
+            .filter(|id| is_given.insert(*id))
+            .collect()
+    }
+}

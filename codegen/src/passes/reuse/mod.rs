@@ -1,0 +1,88 @@
+//! Reuse. Needs: nothing. Afterwards: in a body of up to 1500 values, hardly a value of the loop equals another one, or the sum, difference
+//! or product of two others if it takes several operations of its own; or of three. The others are those of the body, what these
+//! are computed from, and what bodies on the path to it compute of nothing from farther out. Keeps: the value of every root, up to
+//! rounding, which takes no more of it than before: no terms that cancel come in. Never raises the number of operations. Does not:
+//! look at numbers, but at 2 and a half, or at bodies beside or after one: a changed mass changes no more than numbers, and a new body
+//! no more than lines of its path. A helper is a graph of its own.
+//!
+//! What can be reused is found by evaluating: inputs and numbers of the graph are drawn, modulo a prime, and what holds at two such
+//! points holds. So two ways to derive the same thing are found to be the same, however little their operations are alike.
+
+mod drawn;
+mod index;
+mod known;
+mod made;
+mod search;
+mod work;
+
+use std::collections::BTreeSet;
+
+use self::{made::Made, search::Others, work::Work};
+use super::rebuild::Rebuilt;
+use crate::{
+    expr::{Expr, ExprGraph},
+    id::BodyId,
+    tree::Tree,
+};
+
+/// Bodies to which values belong, and `None` for what belongs to none.
+type Scopes = BTreeSet<Option<BodyId>>;
+
+/// The graph with values made of others that are there, and its roots.
+pub fn run(tree: &Tree, mut graph: ExprGraph, roots: Vec<Expr>) -> (ExprGraph, Vec<Expr>) {
+    graph.change_helpers(|graph, roots| alone(tree, graph.clone(), roots.to_vec()));
+    alone(tree, graph, roots)
+}
+
+/// The same, but for the helpers that are called.
+fn alone(tree: &Tree, graph: ExprGraph, roots: Vec<Expr>) -> (ExprGraph, Vec<Expr>) {
+    let mut now = (graph, roots);
+    for first in [Others::OneOrTwo, Others::Three] {
+        let (mut others, mut among) = (first, None);
+        // Each round lowers the number of operations, so the rounds end.
+        while let Some((next, changed)) = once(tree, &now, others, among.as_ref()) {
+            (now, others, among) = (next, Others::OneOrTwo, Some(changed));
+        }
+    }
+    now
+}
+
+/// One round among the values of these bodies, or of all, and the bodies of which values were replaced; `None` where no operation falls
+/// away.
+fn once(
+    tree: &Tree,
+    (graph, roots): &(ExprGraph, Vec<Expr>),
+    others: Others,
+    among: Option<&Scopes>,
+) -> Option<((ExprGraph, Vec<Expr>), Scopes)> {
+    let mut work = Work::new(graph, roots);
+    let cost = work.total();
+    let found = search::all(tree, &work, others, among);
+    let changed = work.replace(found);
+    if changed.is_empty() {
+        return None;
+    }
+    let next = rebuilt(&work, roots);
+    // What is built is simplified anew, which mostly takes operations away, but may also part what was shared.
+    (Work::new(&next.0, &next.1).total() < cost).then_some((next, changed))
+}
+
+/// The graph built anew, operands first.
+fn rebuilt(work: &Work<'_>, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
+    let old = work.graph;
+    let mut graph = ExprGraph::with_capacity(old.len());
+    let mut rebuilt = Rebuilt::new(old);
+    for &id in &work.order {
+        graph.enter_like(old, id);
+        let expr = match work.made(id) {
+            None => rebuilt.copy(&mut graph, old, id),
+            Some(made) => made.build(&mut graph, |expr| rebuilt.expr(expr)),
+        };
+        if !work.made(id).is_some_and(Made::is_same) {
+            graph.name_like(expr, old, id);
+        }
+        rebuilt.set(id, expr);
+    }
+    let roots = roots.iter().map(|&root| rebuilt.expr(root)).collect();
+    (graph, roots)
+}
