@@ -1,7 +1,7 @@
 //! Words that users look for and that name no function and no frame.
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 20] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 22] = [
     (
         "`jacobian(FRAME)` is about the frame's origin, along inertial axes; none is about the inertial origin",
         &["spatialjacobian"],
@@ -67,6 +67,20 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 20] = [
     (
         "gains follow from `A` and `B` of a step, which `kane::discrete` computes in Rust and `rk4_linearized` in C",
         &["lqr", "dlqr", "riccati"],
+    ),
+    (
+        "a filter needs `A` of a step, which `kane::discrete` computes in Rust and `rk4_linearized` in C",
+        &[
+            "ekf",
+            "kalman",
+            "kalmanfilter",
+            "statetransition",
+            "statetransitionmatrix",
+        ],
+    ),
+    (
+        "it is `inverse_dynamics` at the wanted accelerations plus gains times the errors of `q` and `u`",
+        &["computedtorque", "computedtorquecontrol", "ctc"],
     ),
     (
         "springs and dampers of joints are part of `bias`",

@@ -418,7 +418,7 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
     (
         "d(jacobian(FRAME))/d(q)",
         "",
-        &["jointkinematichessians", "jointkinematichessian"],
+        &["jointkinematichessians", "jointkinematichessian", "djdq"],
     ),
     (
         "hessian(inverse_dynamics; q, u, u_dot)",
