@@ -8,6 +8,7 @@
 //!    and cosines of coordinates are inputs.
 //! 3. `hoist`: no operation of a function depends on parameters alone; those are `Prepared`'s.
 //! 4. `branches`, where a function is long: what branches of the tree that are alike go through alike is written once.
+//! 5. `reuse`: hardly a value equals another one, or the sum, difference or product of others, by more operations.
 //!
 //! Dead values, order and names are the program's: see `program`.
 

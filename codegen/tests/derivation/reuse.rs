@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use kane_codegen::{
     compile::{self, Plans},
-    expr::{Expr, ExprGraph, Input},
+    expr::{Binding, Expr, ExprGraph, Input},
     id::{BodyId, CoordinateId},
     number::{Number as _, Rounded},
     options,
@@ -146,6 +146,36 @@ fn a_small_value_is_not_made_of_large_ones() {
     assert_eq!(after, [before.mul - 2, before.add]);
 }
 
+/// Requires that no operation depends on parameters alone, which would be computed in the loop again and again.
+fn assert_hoisted(what: &str, graph: &ExprGraph, roots: &[Expr]) {
+    let needed = graph.reachable(roots);
+    for id in graph.ids().filter(|id| needed[id.index()]) {
+        let is_operation = graph.node(id).operands().next().is_some();
+        let is_early = is_operation && graph.binding(id) == Binding::Parameters;
+        assert!(!is_early, "{what}: an operation on parameters alone");
+    }
+}
+
+#[test]
+fn numbers_do_not_join_parameters_in_the_loop() {
+    let mut graph = ExprGraph::default();
+    let [a, b, ..] = inputs(&mut graph);
+    let parameter = graph.input(Input::Prepared(0));
+    let sum = graph.add(a, b);
+    let product = graph.mul(parameter, sum);
+    let [first, second] = [a, b].map(|one| graph.mul(parameter, one));
+    // Once more the same product; of both together it is twice the first.
+    let again = graph.add(first, second);
+    let both = graph.add(product, again);
+    let mut roots = vec![product];
+    for number in [2.0, 0.3, 0.7] {
+        let number = graph.number(number);
+        roots.extend([graph.mul(number, a), graph.mul(number, both)]);
+    }
+    let (graph, roots) = reuse::run(&eight_bodies(), graph, roots);
+    assert_hoisted("the sum", &graph, &roots);
+}
+
 /// A function as it is before reuse, with its branches or without, and what it is given.
 struct Function {
     graph: ExprGraph,
@@ -174,6 +204,7 @@ impl Function {
         let before = operations(&self.graph, &self.roots).total();
         let after = operations(&reused, &roots).total();
         assert!(after <= before, "{what}: {before} became {after}");
+        assert_hoisted(what, &reused, &roots);
         let given = |own: Input| {
             Rounded::constant(match own {
                 Input::Prepared(place) => self.prepared[place],

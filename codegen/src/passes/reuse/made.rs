@@ -28,7 +28,7 @@ pub(super) enum Rest {
 }
 
 /// What a value can be made of, and how many operations fall away with its own.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
     pub(super) id: NodeId,
     pub(super) made: Made,
@@ -82,6 +82,15 @@ impl Made {
     /// True for another value as it is.
     pub(super) fn is_same(self) -> bool {
         self.rest == Rest::Nothing
+    }
+
+    /// True if there is a product.
+    pub(super) fn multiplies(self) -> bool {
+        let rest = match self.rest {
+            Rest::Two(made) => made.operation,
+            Rest::Nothing | Rest::One(_) => self.operation,
+        };
+        [self.operation, rest].contains(&Operation::Product)
     }
 
     /// How many operations that takes.

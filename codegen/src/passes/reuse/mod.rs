@@ -17,7 +17,11 @@ mod work;
 
 use std::collections::BTreeSet;
 
-use self::{made::Made, search::Others, work::Work};
+use self::{
+    made::{Found, Made},
+    search::Others,
+    work::Work,
+};
 use super::rebuild::Rebuilt;
 use crate::{
     expr::{Expr, ExprGraph},
@@ -55,16 +59,23 @@ fn once(
     others: Others,
     among: Option<&Scopes>,
 ) -> Option<((ExprGraph, Vec<Expr>), Scopes)> {
-    let mut work = Work::new(graph, roots);
-    let cost = work.total();
+    let work = Work::new(graph, roots);
     let found = search::all(tree, &work, others, among);
-    let changed = work.replace(found);
-    if changed.is_empty() {
-        return None;
-    }
-    let next = rebuilt(&work, roots);
-    // What is built is simplified anew, which mostly takes operations away, but may also part what was shared.
-    (Work::new(&next.0, &next.1).total() < cost).then_some((next, changed))
+    let sums = found.iter().filter(|found| !found.made.multiplies());
+    let sums: Vec<Found> = sums.copied().collect();
+    let replaced = |found: Vec<Found>| {
+        if found.is_empty() {
+            return None;
+        }
+        let mut replacing = Work::new(graph, roots);
+        let changed = replacing.replace(found);
+        let next = rebuilt(&replacing, roots);
+        let after = Work::new(&next.0, &next.1);
+        let is_better = after.total() < work.total() && after.n_early() <= work.n_early();
+        is_better.then_some((next, changed))
+    };
+    // What is built is simplified anew: a new factor may join others, and part what was shared, or parameters from the state.
+    replaced(found).or_else(|| replaced(sums))
 }
 
 /// The graph built anew, operands first.

@@ -136,11 +136,16 @@ impl<'a> Work<'a> {
     /// What the loop's own operation costs.
     fn cost(&self, id: NodeId) -> usize {
         match self.graph.node(id) {
-            _ if self.graph.binding(id) != Binding::State => 0,
             Node::Number(_) | Node::Input(_) => 0,
             Node::Sin(_) | Node::Cos(_) => SINE,
             Node::Abs(_) | Node::Add(..) | Node::Mul(..) | Node::Div(..) => 1,
         }
+    }
+
+    /// How many operations depend on parameters alone: none where they were hoisted.
+    pub(super) fn n_early(&self) -> usize {
+        let is_early = |id: NodeId| self.cost(id) > 0 && self.graph.binding(id) != Binding::State;
+        self.order.iter().filter(|id| is_early(**id)).count()
     }
 
     /// What all costs.
