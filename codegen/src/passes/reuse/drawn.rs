@@ -52,12 +52,12 @@ pub(super) struct Drawn<'a> {
 }
 
 impl<'a> Drawn<'a> {
-    /// Those of a body, and of what they are computed from, at these places, what is needed first. What is not of the body is drawn.
+    /// Those of a body, and of what they are computed from, at these places, what is needed first. What is not known is drawn.
     pub(super) fn of(
         work: &Work<'_>,
         given: &[NodeId],
         places: &'a [usize],
-        is_own: impl Fn(NodeId) -> bool,
+        is_known: impl Fn(NodeId) -> bool,
     ) -> Self {
         let mut drawn = Self {
             places,
@@ -71,7 +71,7 @@ impl<'a> Drawn<'a> {
         };
         for (place, &id) in given.iter().enumerate() {
             let node = work.graph.node(id);
-            let computed = is_own(id).then(|| drawn.computed(node)).flatten();
+            let computed = is_known(id).then(|| drawn.computed(node)).flatten();
             let (value, support) = match (computed, node) {
                 (Some(value), _) => {
                     let operands = work.operands(id);

@@ -71,7 +71,8 @@ fn once(
         let changed = replacing.replace(found);
         let next = rebuilt(&replacing, roots);
         let after = Work::new(&next.0, &next.1);
-        let is_better = after.total() < work.total() && after.n_early() <= work.n_early();
+        let is_better =
+            after.total() < work.total() && after.n_on_parameters() <= work.n_on_parameters();
         is_better.then_some((next, changed))
     };
     // What is built is simplified anew: a new factor may join others, and part what was shared, or parameters from the state.

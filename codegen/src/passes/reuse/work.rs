@@ -8,7 +8,7 @@ use crate::{
     id::BodyId,
 };
 
-/// What a sine costs.
+/// What a sine costs, as when plans are compared.
 const SINE: usize = 11;
 
 /// How much is counted of what falls away with a value.
@@ -143,9 +143,9 @@ impl<'a> Work<'a> {
     }
 
     /// How many operations depend on parameters alone: none where they were hoisted.
-    pub(super) fn n_early(&self) -> usize {
-        let is_early = |id: NodeId| self.cost(id) > 0 && self.graph.binding(id) != Binding::State;
-        self.order.iter().filter(|id| is_early(**id)).count()
+    pub(super) fn n_on_parameters(&self) -> usize {
+        let is_one = |id: NodeId| self.cost(id) > 0 && self.graph.binding(id) != Binding::State;
+        self.order.iter().filter(|id| is_one(**id)).count()
     }
 
     /// What all costs.
