@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// The version of the output's form: a change to the generator that changes what it writes raises it.
-pub const OUTPUT_FORMAT: u32 = 29;
+pub const OUTPUT_FORMAT: u32 = 30;
 
 /// Where a module comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,6 +5,7 @@
 
 use super::pipeline;
 use crate::{
+    expr::SINE,
     functions::{Arrangement, Derived, Formulation, Request},
     program::Operations,
     recursive::Plan,
@@ -14,10 +15,7 @@ use crate::{
 /// How many nodes may be built to compare candidates whatever they promise: a tenth of a second's work.
 pub(super) const MOST_NODES: usize = 400_000;
 
-/// What a sine costs above other operations: a plan that needs one angle more must save that much.
-const SINE: usize = 10;
-
-/// The same in a function that is given sines: it is asked for where none are to be computed.
+/// What a sine costs in a function that is given sines: it is asked for where none are to be computed.
 const SINE_OF_GIVEN: usize = 1_000_000;
 
 /// A plan of each part, and the function by these, as it would be emitted.
@@ -66,5 +64,5 @@ pub fn cost(request: &Request, operations: Operations) -> usize {
     } else {
         SINE
     };
-    operations.total() + sine * operations.trig
+    operations.total() + (sine - 1) * operations.trig
 }

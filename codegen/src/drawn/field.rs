@@ -4,7 +4,7 @@
 //! A rational function that is not zero everywhere is zero at a drawn point with a probability of its degree over the prime
 //! (Schwartz 1980, Zippel 1979). A sine and a cosine are a point of the circle, drawn by their angle.
 
-use std::ops::{Add, Div, Mul, Neg};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::number::{Number, Rounded};
 
@@ -27,6 +27,15 @@ impl Field {
         bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         Self((bits ^ (bits >> 31)) % PRIME)
+    }
+
+    /// A number below twice the prime.
+    fn below_twice(number: u64) -> Self {
+        Self(if number < PRIME {
+            number
+        } else {
+            number - PRIME
+        })
     }
 
     /// Another number, drawn by this one.
@@ -70,10 +79,35 @@ impl Field {
         power
     }
 
+    /// The reciprocal of each, zero for zero, by one reciprocal of the product of all.
+    pub(crate) fn reciprocals(all: &[Self]) -> Vec<Self> {
+        let mut product = Self::ONE;
+        let mut before = Vec::with_capacity(all.len());
+        for &one in all {
+            before.push(product);
+            if one != Self::ZERO {
+                product = product * one;
+            }
+        }
+        let mut rest = product.reciprocal();
+        let mut reciprocals = vec![Self::ZERO; all.len()];
+        for (place, &one) in all.iter().enumerate().rev() {
+            if one != Self::ZERO {
+                reciprocals[place] = rest * before[place];
+                rest = rest * one;
+            }
+        }
+        reciprocals
+    }
+
     /// The smaller of this and its negative, as numbers below the prime, and whether that is the negative.
     pub(crate) fn magnitude(self) -> (u64, bool) {
-        let negative = -self;
-        (self.0.min(negative.0), negative.0 < self.0)
+        let negative = PRIME - self.0;
+        if negative < self.0 {
+            (negative, true)
+        } else {
+            (self.0, false)
+        }
     }
 }
 
@@ -140,7 +174,15 @@ impl Add for Field {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self((self.0 + other.0) % PRIME)
+        Self::below_twice(self.0 + other.0)
+    }
+}
+
+impl Sub for Field {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self::below_twice(self.0 + (PRIME - other.0))
     }
 }
 
@@ -150,9 +192,9 @@ impl Mul for Field {
     fn mul(self, other: Self) -> Self {
         // What 2^61 divides counts as one.
         let product = u128::from(self.0) * u128::from(other.0);
-        let [low, high] = [product & u128::from(PRIME), product >> 61]
-            .map(|part| u64::try_from(part).expect("each has 61 bits"));
-        Self((low + high) % PRIME)
+        #[expect(clippy::cast_possible_truncation, reason = "each has 61 bits")]
+        let (low, high) = (product as u64 & PRIME, (product >> 61) as u64);
+        Self::below_twice(low + high)
     }
 }
 
@@ -172,6 +214,6 @@ impl Neg for Field {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self((PRIME - self.0) % PRIME)
+        Self::below_twice(PRIME - self.0)
     }
 }

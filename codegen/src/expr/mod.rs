@@ -24,7 +24,7 @@ mod vector;
 pub(crate) use evaluate::signed;
 pub use graph::ExprGraph;
 pub use lockstep::{Call, Helper, LANES, Lockstep};
-pub use node::{Binding, CallId, CallResult, Expr, Input, Label, Node, NodeId};
+pub use node::{Binding, CallId, CallResult, Expr, Input, Label, Node, NodeId, SINE};
 pub use purpose::Purpose;
 pub use shared::Shared;
 pub use vector::{Axis, Matrix, Symmetric, Vector, negated, transpose};

@@ -165,6 +165,9 @@ impl std::ops::Neg for Expr {
     }
 }
 
+/// What a sine costs, in other operations, where ways are compared: a way that needs one angle more must save that much.
+pub const SINE: usize = 11;
+
 impl Node {
     /// True for numbers, and for inputs other than what calls compute.
     pub(super) fn has_own_name(self) -> bool {

@@ -4,7 +4,7 @@
 
 use std::{fmt::Write as _, fs};
 
-use crate::compiled::read;
+use crate::{compiled::read, pages};
 use kane_codegen::{
     compile,
     config::{Formulation, Functions},
@@ -154,7 +154,10 @@ fn of_robots(names: &[&str]) -> String {
 
 #[test]
 fn matrices_of_robots() {
-    insta::assert_snapshot!(of_robots(&MATRICES));
+    let text = of_robots(&MATRICES);
+    insta::assert_snapshot!(text);
+    let functions = [(3, "coriolis_matrix"), (4, "mass_matrix_inverse")];
+    pages::comparison().has_robots(&text, 7, &functions);
 }
 
 /// Of all derivatives of forces, of those that an integrator needs, and of accelerations.
@@ -169,12 +172,11 @@ const DERIVATIVES: [&str; 5] = [
 #[test]
 fn derivatives_of_robots() {
     let text = of_robots(&DERIVATIVES);
-    let [forces, accelerations] = [
-        "\nd_inverse_dynamics_d_q_u_u_dot",
-        "\nd_forward_dynamics_d_q_u_tau",
-    ];
-    are_on_the_page(&text, &[(2, forces), (4, accelerations)], 7);
+    let forces = "d_inverse_dynamics_d_q_u_u_dot";
+    let accelerations = "d_forward_dynamics_d_q_u_tau";
     insta::assert_snapshot!(text);
+    pages::performance().has_robots(&text, 7, &[(2, forces), (4, accelerations)]);
+    pages::comparison().has_robots(&text, 5, &[(2, forces), (3, accelerations)]);
 }
 
 /// The derivatives need the accelerations themselves.
@@ -191,31 +193,6 @@ fn accelerations_beside_their_derivatives_cost_nothing() {
     }
 }
 
-/// For each robot docs/performance.md has a row with so many cells, the empty ones at its ends among them, and the totals of these
-/// functions in these cells.
-fn are_on_the_page(text: &str, functions: &[(usize, &str)], n_cells: usize) {
-    let page = format!("{}/../docs/performance.md", env!("CARGO_MANIFEST_DIR"));
-    let page = fs::read_to_string(page).unwrap();
-    for robot in ["ur5", "panda", "solo12", "talos"] {
-        let own = text.split_once(&format!("{robot}\n")).unwrap().1;
-        let own = format!("\n{own}");
-        let totals = functions.iter().map(|(cell, function)| {
-            let count = own.split_once(&format!("{function}: ")).unwrap().1;
-            (*cell, count.split_once(' ').unwrap().0)
-        });
-        let totals: Vec<(usize, &str)> = totals.collect();
-        let rows = page.lines().map(|line| line.split('|').map(str::trim));
-        let mut rows = rows.map(Iterator::collect::<Vec<_>>);
-        let is_there = rows.any(|cells| {
-            let mut totals = totals.iter();
-            cells.len() == n_cells
-                && cells[1] == robot
-                && totals.all(|(cell, total)| cells[*cell] == *total)
-        });
-        assert!(is_there, "docs/performance.md lacks {robot}: {totals:?}");
-    }
-}
-
 /// A gradient with its value, a directional derivative, and a gradient of accelerations.
 const PRODUCTS: [&str; 3] = [
     "inverse_dynamics+vjp(inverse_dynamics; q, u, u_dot)",
@@ -226,12 +203,10 @@ const PRODUCTS: [&str; 3] = [
 #[test]
 fn products_with_derivatives_of_robots() {
     let text = of_robots(&PRODUCTS);
-    let [with_value, accelerations] = [
-        "\ninverse_dynamics_and_vjp_inverse_dynamics_q_u_u_dot",
-        "\nvjp_forward_dynamics_q_u_tau",
-    ];
-    are_on_the_page(&text, &[(2, with_value), (3, accelerations)], 5);
+    let with_value = "inverse_dynamics_and_vjp_inverse_dynamics_q_u_u_dot";
+    let accelerations = "vjp_forward_dynamics_q_u_tau";
     insta::assert_snapshot!(text);
+    pages::performance().has_robots(&text, 5, &[(2, with_value), (3, accelerations)]);
 }
 
 #[test]
@@ -275,14 +250,10 @@ fn second_derivatives_of_robots() {
         let (count, _) = count.split_once(' ').unwrap();
         format!("{},{}", &count[..1], &count[1..])
     });
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/functions.md");
-    let sentence =
-        format!("takes {together} operations, of which the second derivatives alone take {alone}.");
-    assert!(
-        fs::read_to_string(page).unwrap().contains(&sentence),
-        "{sentence}"
-    );
     insta::assert_snapshot!(text);
+    pages::functions().says(&format!(
+        "takes {together} operations, of which the second derivatives alone take {alone}."
+    ));
 }
 
 #[test]
@@ -302,7 +273,9 @@ fn accelerations_and_first_derivatives_are_free_beside_second_ones() {
 
 #[test]
 fn systems_of_robots() {
-    insta::assert_snapshot!(of_robots(&OF_SYSTEMS));
+    let text = of_robots(&OF_SYSTEMS);
+    insta::assert_snapshot!(text);
+    pages::comparison().has_robots(&text, 7, &[(5, "regressor")]);
 }
 
 const ENERGIES: [&str; 17] = [

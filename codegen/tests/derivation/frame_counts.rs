@@ -9,6 +9,7 @@ use kane_codegen::description::{Base, Reading};
 use crate::{
     compiled::read,
     counts::{counts_of, table},
+    pages,
 };
 
 /// Functions of the frame `F`.
@@ -84,4 +85,23 @@ fn frames_of_robots() {
 #[test]
 fn derivatives_of_frames_of_robots() {
     insta::assert_snapshot!(of_frames(&DERIVATIVES_OF_FRAMES));
+}
+
+#[test]
+fn the_comparison_has_the_counts_of_jacobians() {
+    for (robot, base, link) in [
+        ("ur5", Base::Fixed, "wrist_3_link"),
+        ("panda", Base::Fixed, "panda_link7"),
+        ("solo12", Base::Free, "FL_LOWER_LEG"),
+        ("talos", Base::Free, "arm_left_7_link"),
+    ] {
+        let reading = Reading {
+            base: Some(base),
+            ..Reading::default()
+        };
+        let tree = read(&format!("tests/robots/{robot}/{robot}.urdf"), &reading);
+        let counts = counts_of(&tree, &[format!("jacobian({link})")]);
+        let total = counts[0].1.total().to_string();
+        pages::comparison().has_row(robot, 7, &[(2, &total)]);
+    }
 }

@@ -17,7 +17,10 @@ use kane_codegen::{
 };
 use kane_test_support::compare::{Tolerance, assert_close};
 
-use crate::compiled::{compiled, input, read};
+use crate::{
+    compiled::{compiled, input, read},
+    pages,
+};
 
 /// What control loops ask for together.
 const JOINED: [&str; 6] = [
@@ -225,14 +228,9 @@ fn the_page_of_functions_has_the_counts_of_what_is_read_off_the_coriolis_matrix(
     let count = |name: &str| alone(&tree, name).0.operations.total();
     let joined = "mass_matrix+coriolis_matrix+gravity_forces";
     let (all, one) = (count(joined), count("coriolis_matrix"));
-    let sentence = format!(
+    pages::functions().says(&format!(
         "`{joined}` takes {all} operations, of which the Coriolis matrix alone takes {one}."
-    );
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/functions.md");
-    assert!(
-        fs::read_to_string(page).unwrap().contains(&sentence),
-        "{sentence}"
-    );
+    ));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Hybrid dynamics: some joints' accelerations are prescribed, the others' forces.
 
-use std::{collections::BTreeSet, fmt::Write as _, fs};
+use std::{collections::BTreeSet, fmt::Write as _};
 
 use kane_codegen::{
     compile::{self, Plans},
@@ -25,6 +25,7 @@ use crate::{
     derivatives::{INVERTED, ways},
     evaluator::input,
     frames::{self, relative},
+    pages,
 };
 
 /// How far two ways to one number may be apart, relative to the mass matrix and the numbers.
@@ -368,15 +369,29 @@ fn the_page_of_functions_has_the_counts_of_derivatives() {
         let tree = prescribing(&arm, |body| *body < most);
         count(&tree, "d(hybrid_dynamics)/d(q, u)")
     };
-    let sentence = format!(
-        "For a Panda, `d(hybrid_dynamics)/d(q, u)` needs {} with no prescribed\njoint, {} with the first, and {} with all.",
+    pages::functions().says(&format!(
+        "For a Panda, `d(hybrid_dynamics)/d(q, u)` needs {} with no prescribed joint, {} with the first, and {} with all.",
         up_to(0),
         up_to(1),
         up_to(arm.bodies.len())
-    );
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/functions.md");
-    let page = fs::read_to_string(page).expect("the page is there");
-    assert!(page.contains(&sentence), "{sentence}");
+    ));
+}
+
+#[test]
+fn the_page_of_functions_has_the_counts_of_an_arm() {
+    let arm = read("tests/robots/ur5/ur5.urdf", &Reading::default());
+    let of = |is_prescribed: &dyn Fn(usize) -> bool| {
+        let tree = prescribing(&arm, |body| is_prescribed(*body));
+        count(&tree, "hybrid_dynamics")
+    };
+    let up_to = |most: usize| of(&|body| body < most);
+    let [none, first, inner, all] = [0, 1, 3, arm.bodies.len()].map(up_to);
+    let elbow = of(&|body| arm.bodies[body].joint.name == "elbow_joint");
+    assert!(elbow > none);
+    pages::functions().says(&format!(
+        "For a UR5 it needs {none} with no prescribed joint, {first} with the first, {inner} with the inner three, and {all} with all. \
+         In rare cases it needs more than forward dynamics, {elbow} with the elbow of the UR5"
+    ));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Functions of frames' origins beside those of the whole frames.
 
-use std::{collections::BTreeSet, fs};
+use std::collections::BTreeSet;
 
 use kane_codegen::{
     description::{Base, Reading},
@@ -17,6 +17,7 @@ use kane_test_support::{
 use crate::{
     compiled::read,
     frames::{EXACT, INVERTED, evaluate, names, relative, request, seeds, system},
+    pages,
 };
 
 /// Without what is angular, with the places of these entries in the whole.
@@ -163,11 +164,9 @@ fn the_page_of_techniques_has_the_count_of_a_jacobian_by_steps() {
     let [steps] = counts_without(&solo12(), &jacobian, &others)[..] else {
         unreachable!()
     };
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/performance.md");
-    let page = fs::read_to_string(page).unwrap();
-    let sentence =
-        format!("the Jacobian of solo12's foot takes {steps} operations instead of {with}.");
-    assert!(page.contains(&sentence), "{sentence}");
+    pages::performance().says(&format!(
+        "the Jacobian of solo12's foot takes {steps} operations instead of {with}."
+    ));
 }
 
 #[test]
@@ -183,14 +182,11 @@ fn the_page_of_functions_has_their_counts() {
     let [whole, linear] = counts(&solo12, &of_feet)[..] else {
         unreachable!()
     };
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/functions.md");
-    let page = fs::read_to_string(page).unwrap();
-    for sentence in [
-        format!("The position of a Panda's hand takes {position} operations, its pose {pose}."),
-        format!(
-            "Of the four feet of solo12, the linear inverse inertia takes {linear}, the whole {whole}."
-        ),
-    ] {
-        assert!(page.contains(&sentence), "{sentence}");
-    }
+    let page = pages::functions();
+    page.says(&format!(
+        "The position of a Panda's hand takes {position} operations, its pose {pose}."
+    ));
+    page.says(&format!(
+        "Of the four feet of solo12, the linear inverse inertia takes {linear}, the whole {whole}."
+    ));
 }

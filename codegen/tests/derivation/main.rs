@@ -27,6 +27,7 @@ mod linear;
 mod lockstep;
 mod multiply_add;
 mod number;
+mod pages;
 mod parameters;
 mod passes;
 mod pinocchio;

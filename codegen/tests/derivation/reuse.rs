@@ -55,7 +55,7 @@ fn a_value_is_the_difference_of_two_that_are_computed_otherwise() {
 }
 
 #[test]
-fn a_value_is_made_of_those_of_bodies_on_its_path_and_of_no_others() {
+fn a_value_is_made_of_those_of_bodies_on_its_path_and_not_of_those_beside() {
     for (body, expected) in [(0, [2, 1]), (1, [2, 1]), (2, [2, 1]), (3, [3, 2])] {
         let mut graph = ExprGraph::default();
         let mut square_of = |place: usize| {
@@ -64,6 +64,20 @@ fn a_value_is_made_of_those_of_bodies_on_its_path_and_of_no_others() {
             [one, graph.mul(one, one)]
         };
         let [[a, a2], [b, b2]] = [0, 1].map(&mut square_of);
+        let (sum, difference) = (graph.add(a, b), graph.sub(a, b));
+        let product = graph.mul(sum, difference);
+        assert_eq!(left(graph, vec![a2, b2, product]), expected, "{body}");
+    }
+}
+
+#[test]
+fn a_value_is_made_of_those_of_bodies_farther_out_and_not_of_those_beside() {
+    for (body, expected) in [(1, [2, 1]), (2, [2, 1]), (3, [3, 2])] {
+        let mut graph = ExprGraph::default();
+        graph.enter(BodyId::new(body));
+        let [a, b, ..] = inputs(&mut graph);
+        let [a2, b2] = [a, b].map(|one| graph.mul(one, one));
+        graph.enter(BodyId::new(1));
         let (sum, difference) = (graph.add(a, b), graph.sub(a, b));
         let product = graph.mul(sum, difference);
         assert_eq!(left(graph, vec![a2, b2, product]), expected, "{body}");
@@ -82,6 +96,18 @@ fn a_value_that_is_the_same_as_another_needs_no_operation() {
     let both = graph.add(first, other);
     // `a (a - c) + b (a - c)` is the negative of the product.
     assert_eq!(left(graph, vec![product, both]), [1, 2]);
+}
+
+#[test]
+fn squares_of_sine_and_cosine_add_up_to_one() {
+    let mut graph = ExprGraph::default();
+    let [angle, a, ..] = inputs(&mut graph);
+    let [sine, cosine] = [graph.sin(angle), graph.cos(angle)];
+    let [x, y] = [sine, cosine].map(|one| graph.mul(one, a));
+    let [x_again, y_again] = [(sine, x), (cosine, y)].map(|(one, other)| graph.mul(one, other));
+    // It is `a`.
+    let sum = graph.add(x_again, y_again);
+    assert_eq!(left(graph, vec![x, y, sum]), [2, 0]);
 }
 
 #[test]

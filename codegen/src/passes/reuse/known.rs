@@ -10,6 +10,18 @@ use crate::{
     tree::Tree,
 };
 
+/// How many operations of bodies farther out are among the known ones, at most.
+const MOST_BEYOND: usize = 4_000;
+
+/// Of which bodies' values a body's values may be made, beside its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reach {
+    /// Those on the path to it.
+    Path,
+    /// Those farther out too.
+    Beyond,
+}
+
 /// The operations of the loop, by bodies.
 pub(super) struct Bodies<'a> {
     tree: &'a Tree,
@@ -40,8 +52,23 @@ impl<'a> Bodies<'a> {
         all.map(|(body, operations)| (*body, operations.as_slice()))
     }
 
-    /// The operations that are evaluated for a body: its own, and those on the path to it that need nothing from farther out.
-    pub(super) fn known(&self, body: Option<BodyId>) -> BTreeSet<NodeId> {
+    /// The operations that are evaluated for a body: its own, and those on the path to it that need nothing from farther out; with all
+    /// of bodies farther out if they are to be among them. `None` where there are none of these, or too many.
+    pub(super) fn known(&self, body: Option<BodyId>, reach: Reach) -> Option<BTreeSet<NodeId>> {
+        let mut known = self.of_path(body);
+        known.extend(self.operations.get(&body).into_iter().flatten());
+        if reach == Reach::Beyond {
+            let beyond: Vec<NodeId> = self.beyond(body).flatten().copied().collect();
+            if beyond.is_empty() || beyond.len() > MOST_BEYOND {
+                return None;
+            }
+            known.extend(beyond);
+        }
+        Some(known)
+    }
+
+    /// What the bodies on the path to a body compute of nothing from farther out.
+    fn of_path(&self, body: Option<BodyId>) -> BTreeSet<NodeId> {
         let mut known = BTreeSet::new();
         let path = body
             .into_iter()
@@ -51,17 +78,23 @@ impl<'a> Bodies<'a> {
         for lower in path {
             let operations = self.operations.get(&lower).into_iter().flatten();
             for &id in operations {
-                if self
-                    .work
-                    .operands(id)
-                    .all(|id| self.is_from_below(id, &known))
-                {
+                let mut operands = self.work.operands(id);
+                if operands.all(|id| self.is_from_below(id, &known)) {
                     known.insert(id);
                 }
             }
         }
-        known.extend(self.operations.get(&body).into_iter().flatten());
         known
+    }
+
+    /// The operations of each body farther out than this one.
+    fn beyond(&self, body: Option<BodyId>) -> impl Iterator<Item = &Vec<NodeId>> {
+        let is_beyond = move |other: &BodyId| {
+            let mut path = self.tree.path(*other).skip(1).map(Some).chain([None]);
+            path.any(|lower| lower == body)
+        };
+        let bodies = self.tree.body_ids().filter(is_beyond);
+        bodies.filter_map(|body| self.operations.get(&Some(body)))
     }
 
     fn is_from_below(&self, id: NodeId, known: &BTreeSet<NodeId>) -> bool {

@@ -1,23 +1,27 @@
 //! Reuse. Needs: nothing. Afterwards: in a body of up to 1500 values, hardly a value of the loop equals another one, or the sum, difference
 //! or product of two others if it takes several operations of its own; or of three. The others are those of the body, what these
-//! are computed from, and what bodies on the path to it compute of nothing from farther out. Keeps: the value of every root, up to
-//! rounding, which takes no more of it than before: no terms that cancel come in. Never raises the number of operations. Does not:
-//! look at numbers, but at 2 and a half, or at bodies beside or after one: a changed mass changes no more than numbers, and a new body
-//! no more than lines of its path. A helper is a graph of its own.
+//! are computed from, what bodies on the path to it compute of nothing from farther out, and all of bodies farther out, up to 4000.
+//! Keeps: the value of every root, up to rounding, which takes no more of it than before: no terms that cancel come in. Never raises
+//! the number of operations. Does not: look at numbers, but at 2 and a half, or at bodies beside one: a changed mass changes no more
+//! than numbers, and a new body no more than lines of its path. A helper is a graph of its own.
 //!
-//! What can be reused is found by evaluating: inputs and numbers of the graph are drawn, modulo a prime, and what holds at two such
-//! points holds. So two ways to derive the same thing are found to be the same, however little their operations are alike.
+//! What can be reused is found by evaluating: inputs and numbers of the graph are drawn, modulo a prime, sine and cosine of an angle as
+//! a point of the circle, and what holds at two such points holds. So two ways to derive the same thing are found to be the same,
+//! however little their operations are alike.
 
-mod drawn;
 mod index;
 mod known;
 mod made;
+mod points;
+mod rests;
 mod search;
+mod value;
 mod work;
 
 use std::collections::BTreeSet;
 
 use self::{
+    known::Reach,
     made::{Found, Made},
     search::Others,
     work::Work,
@@ -41,10 +45,15 @@ pub fn run(tree: &Tree, mut graph: ExprGraph, roots: Vec<Expr>) -> (ExprGraph, V
 /// The same, but for the helpers that are called.
 fn alone(tree: &Tree, graph: ExprGraph, roots: Vec<Expr>) -> (ExprGraph, Vec<Expr>) {
     let mut now = (graph, roots);
-    for first in [Others::OneOrTwo, Others::Three] {
+    for (first, reach) in [
+        (Others::OneOrTwo, Reach::Path),
+        (Others::Three, Reach::Path),
+        (Others::OneOrTwo, Reach::Beyond),
+        (Others::Three, Reach::Beyond),
+    ] {
         let (mut others, mut among) = (first, None);
         // Each round lowers the number of operations, so the rounds end.
-        while let Some((next, changed)) = once(tree, &now, others, among.as_ref()) {
+        while let Some((next, changed)) = once(tree, &now, others, reach, among.as_ref()) {
             (now, others, among) = (next, Others::OneOrTwo, Some(changed));
         }
     }
@@ -57,10 +66,11 @@ fn once(
     tree: &Tree,
     (graph, roots): &(ExprGraph, Vec<Expr>),
     others: Others,
+    reach: Reach,
     among: Option<&Scopes>,
 ) -> Option<((ExprGraph, Vec<Expr>), Scopes)> {
     let work = Work::new(graph, roots);
-    let found = search::all(tree, &work, others, among);
+    let found = search::all(tree, &work, others, reach, among);
     let sums = found.iter().filter(|found| !found.made.multiplies());
     let sums: Vec<Found> = sums.copied().collect();
     let replaced = |found: Vec<Found>| {

@@ -3,20 +3,19 @@
 use std::{cell::OnceCell, collections::BTreeSet};
 
 use super::{
-    drawn::Drawn,
     index::Index,
-    known::Bodies,
+    known::{Bodies, Reach},
     made::{Found, Made, Operation, Rest},
+    points::Values,
+    rests,
     work::{Dependents, Work},
 };
 use crate::{
-    expr::{Expr, ExprGraph, Input, Node, NodeId},
+    drawn::Field,
+    expr::{Expr, NodeId},
     id::BodyId,
     tree::Tree,
 };
-
-/// Up to how many places apart the second and the third of three are, unless one is an input.
-const APART: usize = 32;
 
 /// Of more values of a body none is made of others: it would take seconds, and change little.
 const MOST: usize = 1_500;
@@ -31,12 +30,13 @@ pub(super) enum Others {
     Three,
 }
 
-/// All that can be made of others, by the nearest of these: what bodies do that are not on the path to the value's body, and where, is
-/// of no account.
+/// All that can be made of others, by the nearest of these: what bodies do that are neither on the path to the value's body nor farther
+/// out, and where, is of no account.
 pub(super) fn all(
     tree: &Tree,
     work: &Work<'_>,
     others: Others,
+    reach: Reach,
     among: Option<&BTreeSet<Option<BodyId>>>,
 ) -> Vec<Found> {
     let bodies = Bodies::new(tree, work);
@@ -47,16 +47,19 @@ pub(super) fn all(
         if own.len() > MOST || !is_searched(body) {
             continue;
         }
-        let known = bodies.known(body);
+        let Some(known) = bodies.known(body, reach) else {
+            continue;
+        };
         let given = bodies.given(&known);
         for (place, id) in given.iter().enumerate() {
             places[id.index()] = place;
         }
-        let drawn = Drawn::of(work, &given, &places, |id| known.contains(&id));
-        let search = Search::new(work, drawn, &given, others);
-        if search.rests.is_empty() {
+        if others == Others::Three && given.len() > MOST_OF_THREE {
             continue;
         }
+        let is_known: Vec<bool> = given.iter().map(|id| known.contains(id)).collect();
+        let values = Values::of(work, &given, &places, &is_known);
+        let search = Search::new(work, values, &given, others);
         found.extend(own.iter().filter_map(|id| search.of(*id)));
     }
     found
@@ -68,7 +71,7 @@ const NOWHERE: usize = usize::MAX;
 /// The search among the values of a body.
 struct Search<'a> {
     work: &'a Work<'a>,
-    drawn: Drawn<'a>,
+    values: Values<'a>,
     /// What values can be made of, in order.
     given: &'a [NodeId],
     rests: Index<Rest>,
@@ -76,18 +79,14 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(work: &'a Work<'a>, drawn: Drawn<'a>, given: &'a [NodeId], others: Others) -> Self {
-        let first = |rest: Rest| (drawn.rest(rest), rest);
+    fn new(work: &'a Work<'a>, values: Values<'a>, given: &'a [NodeId], others: Others) -> Self {
         let rests = match others {
-            Others::OneOrTwo => {
-                Index::of(given.iter().map(|&id| Rest::One(Expr::of(id))).map(first))
-            }
-            Others::Three if given.len() > MOST_OF_THREE => Index::of(std::iter::empty()),
-            Others::Three => Index::of(pairs(work.graph, given).map(first)),
+            Others::OneOrTwo => rests::ones(given, values.firsts()),
+            Others::Three => rests::pairs(work.graph, given, values.firsts()),
         };
         Self {
             work,
-            drawn,
+            values,
             given,
             rests,
             others,
@@ -124,9 +123,10 @@ impl<'a> Search<'a> {
 
     /// Takes the values that are the same.
     fn same(&self, best: &mut Best<'_>) {
-        for (rest, is_negative) in self.rests.like(self.drawn.first(best.id)) {
+        let (own, supports) = (self.values.place(best.id), self.values.supports());
+        for (rest, is_negative) in self.rests.like(self.values.firsts()[own]) {
             if let Rest::One(other) = rest
-                && self.drawn.is_within(other.node(), best.id)
+                && is_within(supports[self.values.place(other.node())], supports[own])
             {
                 best.take(Made::same(other.signed(is_negative)));
             }
@@ -135,30 +135,40 @@ impl<'a> Search<'a> {
 
     /// Takes what the value can be made of by operations.
     fn made(&self, best: &mut Best<'_>) {
-        let value = self.drawn.first(best.id);
-        for &other in self.given {
-            if !self.drawn.is_within(other, best.id) {
+        let own = self.values.place(best.id);
+        let (supports, numbers) = (self.values.supports(), self.values.firsts());
+        let (support, value) = (supports[own], numbers[own]);
+        let reciprocals = self.values.reciprocals();
+        for (place, &other) in self.given.iter().enumerate() {
+            if !is_within(supports[place], support) {
                 continue;
             }
-            let number = self.drawn.first(other);
-            let own = Expr::of(other);
-            let quotient = value * self.drawn.reciprocal(other);
-            let ways = [
-                (Operation::Sum, own, value + -number),
-                (Operation::Sum, -own, value + number),
-                (Operation::Product, own, quotient),
-            ];
-            for (operation, first, left) in ways {
-                for (rest, is_negative) in self.rests.like(left) {
-                    best.take(Made {
-                        operation,
-                        first,
-                        rest: rest.signed(is_negative),
-                    });
-                }
-            }
+            let (number, other) = (numbers[place], Expr::of(other));
+            let quotient = value * reciprocals[place];
+            self.with(best, Operation::Sum, other, value - number);
+            self.with(best, Operation::Sum, -other, value + number);
+            self.with(best, Operation::Product, other, quotient);
         }
     }
+
+    /// Takes what the first and what is left make.
+    fn with(&self, best: &mut Best<'_>, operation: Operation, first: Expr, left: Field) {
+        if !self.rests.may_have(left) {
+            return;
+        }
+        for (rest, is_negative) in self.rests.like(left) {
+            best.take(Made {
+                operation,
+                first,
+                rest: rest.signed(is_negative),
+            });
+        }
+    }
+}
+
+/// True if what has the one support depends on nothing that what has the other does not depend on.
+fn is_within(own: u128, other: u128) -> bool {
+    own & !other == 0
 }
 
 /// The nearest of what a value can be made of.
@@ -174,53 +184,19 @@ struct Best<'a> {
 
 impl Best<'_> {
     fn take(&mut self, made: Made) {
-        let Search { work, drawn, .. } = self.search;
-        let own = drawn.place(self.id);
-        let away = |other: NodeId| drawn.place(other).abs_diff(own);
+        let Search { work, values, .. } = self.search;
+        let own = values.place(self.id);
+        let away = |other: NodeId| values.place(other).abs_diff(own);
         let distance = made.operands().map(away).sum();
         let is_nearer = self.nearest.is_none_or(|(least, _)| distance < least);
         if !is_nearer || work.is_lost(made, self.id, &self.alone) {
             return;
         }
         let dependents = || self.dependents.get_or_init(|| work.dependents(self.id));
-        if drawn.holds(self.id, made)
+        if values.holds(self.id, made)
             && (work.is_early(made, self.id) || !dependents().has(work, made))
         {
             self.nearest = Some((distance, made));
         }
     }
-}
-
-/// Sums, differences and products of what is near one another, and of inputs with all.
-fn pairs<'a>(graph: &'a ExprGraph, given: &'a [NodeId]) -> impl Iterator<Item = Rest> + use<'a> {
-    let is_input = move |id: &NodeId| match graph.node(*id) {
-        Node::Input(input) => !matches!(input, Input::CallResult(_)),
-        Node::Sin(_) | Node::Cos(_) => true,
-        _ => false,
-    };
-    let inputs: Vec<NodeId> = given.iter().copied().filter(is_input).collect();
-    let of = move |place: usize| {
-        let first = given[place];
-        let near = given[place.saturating_sub(APART)..place].iter();
-        let near = near.filter(|id| !is_input(id));
-        let made = move |operation, rest| {
-            Rest::Two(Made {
-                operation,
-                first: Expr::of(first),
-                rest,
-            })
-        };
-        let of_two = near.flat_map(move |id| {
-            let second = Expr::of(*id);
-            [
-                made(Operation::Sum, second),
-                made(Operation::Sum, -second),
-                made(Operation::Product, second),
-            ]
-        });
-        let of_inputs = inputs.iter().filter(|id| **id != first);
-        let of_inputs = of_inputs.map(|id| made(Operation::Product, Expr::of(*id)));
-        of_two.chain(of_inputs).collect::<Vec<_>>()
-    };
-    (0..given.len()).flat_map(of)
 }

@@ -4,12 +4,9 @@ use std::{cmp::Reverse, collections::BTreeSet};
 
 use super::made::{Found, Made};
 use crate::{
-    expr::{Binding, Expr, ExprGraph, Input, Node, NodeId},
+    expr::{Binding, Expr, ExprGraph, Input, Node, NodeId, SINE},
     id::BodyId,
 };
-
-/// What a sine costs, as when plans are compared.
-const SINE: usize = 11;
 
 /// How much is counted of what falls away with a value.
 const MOST_ALONE: usize = 64;
