@@ -55,15 +55,13 @@ impl<'a> Bodies<'a> {
     /// The operations that are evaluated for a body: its own, and those on the path to it that need nothing from farther out; with all
     /// of bodies farther out if they are to be among them. `None` where there are none of these, or too many.
     pub(super) fn known(&self, body: Option<BodyId>, reach: Reach) -> Option<BTreeSet<NodeId>> {
+        let beyond = match reach {
+            Reach::Path => Vec::new(),
+            Reach::Beyond => self.beyond(body)?,
+        };
         let mut known = self.of_path(body);
         known.extend(self.operations.get(&body).into_iter().flatten());
-        if reach == Reach::Beyond {
-            let beyond: Vec<NodeId> = self.beyond(body).flatten().copied().collect();
-            if beyond.is_empty() || beyond.len() > MOST_BEYOND {
-                return None;
-            }
-            known.extend(beyond);
-        }
+        known.extend(beyond);
         Some(known)
     }
 
@@ -87,14 +85,28 @@ impl<'a> Bodies<'a> {
         known
     }
 
-    /// The operations of each body farther out than this one.
-    fn beyond(&self, body: Option<BodyId>) -> impl Iterator<Item = &Vec<NodeId>> {
-        let is_beyond = move |other: &BodyId| {
-            let mut path = self.tree.path(*other).skip(1).map(Some).chain([None]);
-            path.any(|lower| lower == body)
+    /// The operations of all bodies farther out than this one; `None` where there are none, or too many.
+    fn beyond(&self, body: Option<BodyId>) -> Option<Vec<NodeId>> {
+        let mut all = Vec::new();
+        let mut next = match body {
+            Some(body) => self.tree.uppers(body).to_vec(),
+            None => self.roots(),
         };
-        let bodies = self.tree.body_ids().filter(is_beyond);
-        bodies.filter_map(|body| self.operations.get(&Some(body)))
+        while let Some(body) = next.pop() {
+            all.extend(self.operations.get(&Some(body)).into_iter().flatten());
+            if all.len() > MOST_BEYOND {
+                return None;
+            }
+            next.extend(self.tree.uppers(body));
+        }
+        (!all.is_empty()).then_some(all)
+    }
+
+    fn roots(&self) -> Vec<BodyId> {
+        let bodies = self.tree.body_ids();
+        bodies
+            .filter(|body| self.tree.lower(*body).is_none())
+            .collect()
     }
 
     fn is_from_below(&self, id: NodeId, known: &BTreeSet<NodeId>) -> bool {

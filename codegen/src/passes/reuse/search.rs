@@ -23,6 +23,9 @@ const MOST: usize = 1_500;
 /// Nor of three others where there are more than this to choose from.
 const MOST_OF_THREE: usize = 800;
 
+/// Nor of a body that has more bodies on its path than any robot: what is known there grows with each.
+const DEEPEST: usize = 64;
+
 /// Of how many others a value may be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Others {
@@ -44,7 +47,8 @@ pub(super) fn all(
     let mut found = Vec::new();
     let is_searched = |body| among.is_none_or(|among| among.contains(&body));
     for (body, own) in bodies.all() {
-        if own.len() > MOST || !is_searched(body) {
+        let depth = body.map_or(0, |body| tree.path(body).take(DEEPEST + 1).count());
+        if own.len() > MOST || depth > DEEPEST || !is_searched(body) {
             continue;
         }
         let Some(known) = bodies.known(body, reach) else {
