@@ -37,7 +37,11 @@ pub(crate) fn eight_bodies() -> Tree {
 
 /// The operations that are left, of products and of sums.
 fn left(graph: ExprGraph, roots: Vec<Expr>) -> [usize; 2] {
-    let (graph, roots) = reuse::run(&eight_bodies(), graph, roots);
+    left_of(&eight_bodies(), graph, roots)
+}
+
+fn left_of(tree: &Tree, graph: ExprGraph, roots: Vec<Expr>) -> [usize; 2] {
+    let (graph, roots) = reuse::run(tree, graph, roots);
     let operations = operations(&graph, &roots);
     [operations.mul, operations.add]
 }
@@ -81,6 +85,36 @@ fn a_value_is_made_of_those_of_bodies_farther_out_and_not_of_those_beside() {
         let (sum, difference) = (graph.add(a, b), graph.sub(a, b));
         let product = graph.mul(sum, difference);
         assert_eq!(left(graph, vec![a2, b2, product]), expected, "{body}");
+    }
+}
+
+/// What is known grows with each body on the path, so that chains of a thousand would take minutes.
+#[test]
+fn bodies_with_more_than_64_on_their_path_are_left_as_they_are() {
+    let n_bodies = 70;
+    let lower: Vec<String> = (0..n_bodies).map(|body| body.to_string()).collect();
+    let lower = lower.join(", ");
+    let bodies = (0..n_bodies).map(|body| {
+        format!(
+            "[[body]]\nname = \"b{body}\"\nmass = 1.5\nmass_center = [0.0, 0.0, 0.0]\n\
+             inertia = {{ xx = 0.3, yy = 0.3, zz = 0.3, xy = 0.0, xz = 0.0, yz = 0.0 }}\n\
+             attachment = [0.1, 0.0, 0.0]\njoint = [\"theta3\"]\n"
+        )
+    });
+    let text = format!(
+        "name = \"chain\"\ngravity = [0.0, 0.0, 0.0]\nlower_bodies = [{lower}]\n{}",
+        bodies.collect::<String>()
+    );
+    let chain = kane_test_support::systems::tree(&text).expect("a right description");
+    for (body, expected) in [(63, [2, 1]), (64, [3, 2])] {
+        let mut graph = ExprGraph::default();
+        graph.enter(BodyId::new(body));
+        let [a, b, ..] = inputs(&mut graph);
+        let [a2, b2] = [a, b].map(|one| graph.mul(one, one));
+        let (sum, difference) = (graph.add(a, b), graph.sub(a, b));
+        let product = graph.mul(sum, difference);
+        let found = left_of(&chain, graph, vec![a2, b2, product]);
+        assert_eq!(found, expected, "{body}");
     }
 }
 

@@ -1,10 +1,10 @@
 //! Reuse. Needs: nothing. Afterwards: in a body of up to 1500 values, with up to 64 bodies on its path, hardly a value of the loop
 //! equals another one, or the sum, difference or product of two others if it takes several operations of its own; or of three. The
 //! others are those of the body, what these are computed from, what bodies on the path to it compute of nothing from farther out, and
-//! all of bodies farther out, up to 4000.
-//! Keeps: the value of every root, up to rounding, which takes no more of it than before: no terms that cancel come in. Never raises
-//! the number of operations. Does not: look at numbers, but at 2 and a half, or at bodies beside one: a changed mass changes no more
-//! than numbers, and a new body no more than lines of its path. A helper is a graph of its own.
+//! those of bodies farther out if these are at most 4000. Keeps: the value of every root, up to rounding, which takes no more of it
+//! than before: no terms that cancel come in. Never raises the number of operations. Does not: look at numbers, but at 2 and a half, or
+//! at bodies beside one: a changed mass changes no more than numbers, and a new body no more than what is of its path. A helper is a
+//! graph of its own.
 //!
 //! What can be reused is found by evaluating: inputs and numbers of the graph are drawn, modulo a prime, sine and cosine of an angle as
 //! a point of the circle, and what holds at two such points holds. So two ways to derive the same thing are found to be the same,
