@@ -278,7 +278,7 @@ fn systems_of_robots() {
     pages::comparison().has_robots(&text, 7, &[(5, "regressor")]);
 }
 
-const ENERGIES: [&str; 17] = [
+const ENERGIES: [&str; 18] = [
     "kinetic_energy",
     "potential_energy",
     "linear_momentum",
@@ -291,6 +291,7 @@ const ENERGIES: [&str; 17] = [
     "d(center_of_mass)/d(q)",
     "d(center_of_mass_velocity)/d(q, u)",
     "d(center_of_mass_jacobian)/d(q)",
+    "d(centroidal_momentum_matrix)/d(q)",
     "d(potential_energy)/d(q)",
     "vjp(angular_momentum; q, u)",
     "d(gravity_forces)/d(q)",

@@ -94,6 +94,7 @@ fn all_ways_give_the_same_derivatives() {
             "d(center_of_mass)/d(q)",
             "d(center_of_mass_velocity)/d(u)",
             "d(center_of_mass_jacobian)/d(q)",
+            "centroidal_momentum_matrix+d(centroidal_momentum_matrix)/d(q)",
             "d(potential_energy)/d(q)",
             "d(kinetic_energy)/d(q, u)",
             "d(linear_momentum)/d(q, u)",

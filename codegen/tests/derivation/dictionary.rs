@@ -99,6 +99,15 @@ fn unknown_names_are_met_with_advice() {
         advice("operational_space_inertia"),
         "`operational_inverse_inertia(FRAME)` writes its inverse"
     );
+    for (name, request) in [
+        ("com_jacobian", "center_of_mass_jacobian"),
+        ("mass_centre_velocity", "center_of_mass_velocity"),
+        ("mass_center", "center_of_mass"),
+        ("momentum_matrix", "centroidal_momentum_matrix"),
+    ] {
+        assert_eq!(advice(name), format!("here it is called `{request}`"));
+    }
+    assert!(advice("com_acceleration").starts_with("it is `center_of_mass_jacobian` times"));
     for (name, operator) in [
         ("jvp", "jvp(F; X)"),
         ("jtimes", "jvp(F; X)"),

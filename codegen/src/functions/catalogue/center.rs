@@ -117,6 +117,9 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX: Function = Function {
         kane::center::momentum_matrix,
         totals::momentum_matrix::momentum_matrix
     ),
+    derivatives: Some(JacobiansFn::OfSystem(
+        roots::jacobians::momentum::momentum_matrix,
+    )),
     terms: Terms::OfVector,
     ..PLAIN
 };

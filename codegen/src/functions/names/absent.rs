@@ -1,7 +1,7 @@
 //! Words that users look for and that name no function and no frame.
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 22] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 23] = [
     (
         "`jacobian(FRAME)` is about the frame's origin, along inertial axes; none is about the inertial origin",
         &["spatialjacobian"],
@@ -31,6 +31,10 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 22] = [
     (
         "it is `centroidal_momentum_matrix` times `u`; `angular_momentum` is about the inertial origin",
         &["centroidal", "centroidalmomentum", "hg", "subtreeangmom"],
+    ),
+    (
+        "it is `center_of_mass_jacobian` times `u_dot`, and `center_of_mass_jacobian_dot_u`",
+        &["acom", "centerofmassacceleration"],
     ),
     (
         "`regressor` writes forces of joints; none writes the wrench of one body",
@@ -113,6 +117,53 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 22] = [
     (
         "a mass, a mass centre or an inertia that changes is `{ runtime = .. }` in the model",
         &["payload"],
+    ),
+];
+
+/// What the runtime crate does, for every system.
+pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
+    (
+        "`kane::inverse_kinematics` in Rust, for every system",
+        &["inversekinematics", "ik"],
+    ),
+    (
+        "`kane::manifold::q_plus` in Rust and `q_plus` in C, for every system",
+        &["integrate", "mjintegratepos", "qplus"],
+    ),
+    (
+        "`kane::manifold::q_minus` in Rust and `q_minus` in C, for every system",
+        &["difference", "mjdifferentiatepos", "qminus"],
+    ),
+    (
+        "`kane::manifold::TangentMap` in Rust, for every system",
+        &["dintegrate", "ddifference", "integratetransport"],
+    ),
+    (
+        "`kane::rotation` in Rust, for every system",
+        &["log3", "log6", "exp3", "exp6", "jlog3", "jlog6", "jexp3"],
+    ),
+    (
+        "`kane::discrete` in Rust, and `rk4_step` and others in C, with the request `forward_dynamics`; for `A` and `B` with `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`",
+        &[
+            "euler",
+            "eulerstep",
+            "symplecticeuler",
+            "discrete",
+            "mjstep",
+            "step",
+            "linearize",
+            "linearized",
+            "linearise",
+            "linearization",
+            "linearisation",
+            "statespace",
+            "discretize",
+            "discretise",
+            "rk4",
+            "rk4step",
+            "rk4linearized",
+            "eulerlinearized",
+        ],
     ),
 ];
 

@@ -2,8 +2,8 @@
 
 use super::{
     ALL, DEFAULT,
-    absent::NO_FUNCTIONS,
-    elsewhere::{OPERATORS, REQUESTS, RUNTIME, VARIABLES},
+    absent::{NO_FUNCTIONS, RUNTIME},
+    elsewhere::{OPERATORS, REQUESTS, VARIABLES},
     generated_name, is_set,
 };
 use crate::{
@@ -16,6 +16,16 @@ use crate::{
 
 /// Words with which other tools' names begin.
 const BEFORE: [&str; 6] = ["compute", "calc", "get", "eval", "pinocchio", "data"];
+
+/// What names of the mass centre go on with.
+const OF_CENTER: [&str; 6] = [
+    "",
+    "position",
+    "velocity",
+    "acceleration",
+    "jacobian",
+    "jacobiandotu",
+];
 
 /// Our request for what other tools call so; letters' case and what is no letter or digit do not count.
 pub fn elsewhere(name: &str) -> Option<&'static str> {
@@ -51,11 +61,23 @@ fn with_frame(own: &'static str) -> &'static str {
 
 /// A name, and what follows the words with which names of other tools begin.
 fn words(name: &str) -> Vec<String> {
-    let word = plain(name);
+    let word = with_our_center(&plain(name));
     let rest = BEFORE.iter().filter_map(|before| word.strip_prefix(before));
     let mut words: Vec<String> = rest.map(str::to_owned).collect();
     words.push(word);
     words
+}
+
+/// The mass centre in our words, whatever stands behind it: `com_velocity`, `mass_centre_velocity`.
+fn with_our_center(word: &str) -> String {
+    let word = word.replace("centre", "center");
+    let mut rests = ["masscenter", "com"]
+        .into_iter()
+        .filter_map(|center| word.strip_prefix(center));
+    match rests.find(|rest| OF_CENTER.contains(rest)) {
+        Some(rest) => format!("centerofmass{rest}"),
+        None => word,
+    }
 }
 
 /// What one of these words stands beside in a table.

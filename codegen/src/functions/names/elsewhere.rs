@@ -249,7 +249,7 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
     (
         "center_of_mass",
         "",
-        &["com", "centerofmassposition", "centerofmasspositioninworld"],
+        &["centerofmassposition", "centerofmasspositioninworld"],
     ),
     (
         "center_of_mass",
@@ -272,7 +272,6 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
         &[
             "jcom",
             "jacobiancenterofmass",
-            "comjacobian",
             "jacobiancenterofmasstranslationalvelocity",
         ],
     ),
@@ -284,7 +283,14 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
     (
         "centroidal_momentum_matrix",
         "",
-        &["centroidalmap", "cmm", "ccrba", "ag", "mjangmommat"],
+        &[
+            "centroidalmap",
+            "cmm",
+            "ccrba",
+            "ag",
+            "momentummatrix",
+            "mjangmommat",
+        ],
     ),
     (
         "linear_momentum+angular_momentum",
@@ -437,53 +443,6 @@ pub(super) const OPERATORS: [(&str, &[&str]); 5] = [
     ("jvp(F; X)", &["jvp", "jtimes", "directionalderivative"]),
     ("vjp(F; X)", &["vjp", "gradient", "grad"]),
     ("hessian(F; X)", &["hessian", "hess"]),
-];
-
-/// What the runtime crate does, for every system.
-pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
-    (
-        "`kane::inverse_kinematics` in Rust, for every system",
-        &["inversekinematics", "ik"],
-    ),
-    (
-        "`kane::manifold::q_plus` in Rust and `q_plus` in C, for every system",
-        &["integrate", "mjintegratepos", "qplus"],
-    ),
-    (
-        "`kane::manifold::q_minus` in Rust and `q_minus` in C, for every system",
-        &["difference", "mjdifferentiatepos", "qminus"],
-    ),
-    (
-        "`kane::manifold::TangentMap` in Rust, for every system",
-        &["dintegrate", "ddifference", "integratetransport"],
-    ),
-    (
-        "`kane::rotation` in Rust, for every system",
-        &["log3", "log6", "exp3", "exp6", "jlog3", "jlog6", "jexp3"],
-    ),
-    (
-        "`kane::discrete` in Rust, and `rk4_step` and others in C, with the request `forward_dynamics`; for `A` and `B` with `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`",
-        &[
-            "euler",
-            "eulerstep",
-            "symplecticeuler",
-            "discrete",
-            "mjstep",
-            "step",
-            "linearize",
-            "linearized",
-            "linearise",
-            "linearization",
-            "linearisation",
-            "statespace",
-            "discretize",
-            "discretise",
-            "rk4",
-            "rk4step",
-            "rk4linearized",
-            "eulerlinearized",
-        ],
-    ),
 ];
 
 /// Our variables, and other names of the same.

@@ -5,6 +5,7 @@
 mod axes;
 pub mod body_energies;
 pub mod center;
+pub mod changes;
 pub mod energy;
 pub mod momentum;
 pub mod momentum_matrix;

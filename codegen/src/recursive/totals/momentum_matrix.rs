@@ -3,6 +3,7 @@
 
 use super::{
     axes, center,
+    changes::{self, Change},
     stands::{self, Reference, Stand, Stands},
 };
 use crate::{
@@ -30,14 +31,30 @@ pub fn momentum_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<M
     let linkage = Linkage::of_speeds(graph, tree, &plan);
     let center = center::from_first(graph, tree, &linkage.links);
     let stands = Stands::new(graph, &linkage, Reference::Center(center));
-    summed(graph, &linkage, &stands)
+    by_speeds(graph, &linkage, &stands)
+}
+
+/// The same, and how what each speed moves changes as it moves. Each speed moves one joint.
+pub fn momentum_matrix_with_changes(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> (Vec<Momentum>, Vec<Change>) {
+    let plan = root::kept_whole(tree, plan);
+    let linkage = Linkage::of_speeds(graph, tree, &plan);
+    let center = center::from_first(graph, tree, &linkage.links);
+    let stands = Stands::new(graph, &linkage, Reference::Center(center));
+    let arrived = arrived(graph, &linkage, &stands);
+    let columns = summed(graph, tree, &arrived.columns);
+    let changes = changes::changes(graph, &linkage, &stands, &arrived.composites, &columns);
+    (columns, changes)
 }
 
 /// The columns of the angular momentum about the inertial origin, inertial components, one a speed.
 pub fn angular_about_origin(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Vector> {
     let linkage = Linkage::of_speeds(graph, tree, plan);
     let stands = Stands::new(graph, &linkage, Reference::Origin);
-    let columns = summed(graph, &linkage, &stands).into_iter();
+    let columns = by_speeds(graph, &linkage, &stands).into_iter();
     columns.map(|column| column.angular).collect()
 }
 
@@ -49,7 +66,7 @@ pub fn center_jacobian(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<V
         return vec![graph.zero_vector(); tree.n_speeds];
     };
     let stands = Stands::new(graph, &linkage, Reference::Times(first));
-    let columns = summed(graph, &linkage, &stands).into_iter();
+    let columns = by_speeds(graph, &linkage, &stands).into_iter();
     graph.enter(None);
     let columns = columns.map(|column| graph.scale(last, column.linear));
     columns.collect()
@@ -65,18 +82,23 @@ pub fn center_jacobian_with_axes(
     let linkage = Linkage::of_speeds(graph, tree, &plan);
     let one = graph.one();
     let stands = Stands::new(graph, &linkage, Reference::Times(one));
-    let columns = summed(graph, &linkage, &stands).into_iter();
+    let columns = by_speeds(graph, &linkage, &stands).into_iter();
     let columns = columns.map(|column| given::over_total_mass(graph, tree, column.linear));
     let columns = columns.collect();
     [axes::turning(graph, &linkage), columns]
 }
 
-/// The momentum of composite bodies for a unit of each motion, along inertial axes and about the point of the stands, added up
-/// speed by speed.
-fn summed(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec<Momentum> {
+/// The momentum of composite bodies for a unit of each speed, along inertial axes and about the point of the stands.
+fn by_speeds(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec<Momentum> {
+    let arrived = arrived(graph, linkage, stands);
+    summed(graph, linkage.tree, &arrived.columns)
+}
+
+/// Columns of motions, added up speed by speed.
+fn summed(graph: &mut ExprGraph, tree: &Tree, columns: &[Column]) -> Vec<Momentum> {
     let zero = Momentum::zero(graph);
-    let mut sums = vec![zero; linkage.tree.n_speeds];
-    for column in arrived(graph, linkage, stands) {
+    let mut sums = vec![zero; tree.n_speeds];
+    for column in columns {
         graph.enter(column.body());
         let Motion { speed, factor } = column.motion;
         let factor = graph.number(factor);
@@ -87,14 +109,25 @@ fn summed(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec<
     sums
 }
 
-/// The same motion by motion.
-fn arrived(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec<Column> {
+/// What arrives at the inertial frame, and what was met on the way.
+struct Arrived {
+    /// One a motion.
+    columns: Vec<Column>,
+    /// Of each speed the composite body that it moves, where its motion enters.
+    composites: Vec<Composite>,
+}
+
+/// The momentum of composite bodies for a unit of each motion.
+fn arrived(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Arrived {
     let Linkage { tree, passages, .. } = linkage;
     let mut composites = BodyMap::outward(tree.bodies.len(), |body, _| linkage.links[body].inertia);
     let only_root = tree.only_root().filter(|_| stands.ignores_shifts);
     graph.begin(Purpose::Momentum);
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
-    let mut arrived = Vec::new();
+    let mut arrived = Arrived {
+        columns: Vec::new(),
+        composites: vec![Composite::zero(graph); tree.n_speeds],
+    };
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let composite = composites[body];
@@ -109,13 +142,14 @@ fn arrived(graph: &mut ExprGraph, linkage: &Linkage<'_>, stands: &Stands) -> Vec
             at_point: Vec::new(),
             is_alone: only_root == Some(body),
             stand: lower.and_then(|lower| stands.links[lower]),
+            moved: &mut arrived.composites,
         };
         passages[body].inward(graph, &mut carried);
         if lower.is_none() {
             let (stand, nowhere) = (stands.at_root(graph, linkage, body), graph.zero_vector());
             carried.leave(graph, &stand, nowhere);
         }
-        arrived.extend(carried.at_point);
+        arrived.columns.extend(carried.at_point);
         if let Some(lower) = lower {
             graph.enter(lower);
             composites[lower] = composites[lower].plus(graph, &carried.composite);
@@ -137,16 +171,19 @@ struct Carried<'a> {
     is_alone: bool,
     /// How the lower link stands, where columns leave it for inertial axes.
     stand: Option<Stand>,
+    /// Of each speed the composite body that it moves.
+    moved: &'a mut [Composite],
 }
 
 impl Carried<'_> {
     fn column(
-        &self,
+        &mut self,
         graph: &mut ExprGraph,
         motion: Motion,
         place: usize,
         momentum: [Vector; 2],
     ) -> Column {
+        self.moved[motion.speed.index()] = self.composite;
         let name = self.tree.body(self.body).joint.motion_names()[place];
         Column::new(graph, self.body, motion, name, momentum)
     }

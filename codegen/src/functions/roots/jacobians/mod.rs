@@ -7,6 +7,7 @@ pub(in crate::functions) mod center;
 pub(in crate::functions) mod forces;
 pub(in crate::functions) mod frames;
 pub(in crate::functions) mod hybrid;
+pub(in crate::functions) mod momentum;
 mod swept;
 pub(in crate::functions) mod totals;
 mod turned;
