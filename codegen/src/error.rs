@@ -60,6 +60,14 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// A file that would be overwritten was generated from another model.
+    #[error("`{}` was generated from `{model}`; choose another --output, or overwrite it with --force", path.display())]
+    OtherModel {
+        /// The file.
+        path: PathBuf,
+        /// Its model, as its banner names it.
+        model: String,
+    },
     /// A link that would be replaced.
     #[error("`{}` is a link; name the file to which it leads, or replace the link with --force", path.display())]
     Link {

@@ -7,7 +7,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use crate::{error::Error, input, limits::OUTPUT_BYTES, ownership};
+use crate::{error::Error, input, limits::OUTPUT_BYTES, origin, ownership};
 
 /// How the names of files begin and end that are not whole yet.
 const PREFIX: &str = ".kane-generate-";
@@ -20,6 +20,8 @@ pub enum Overwrite {
     Nothing,
     /// Only files that begin with our sign.
     Generated,
+    /// Of these only those whose banner names the same model.
+    OfModel,
     /// Any file.
     Anything,
 }
@@ -56,7 +58,7 @@ impl Staged {
 /// that holds its text already is left alone.
 ///
 /// # Errors
-/// [`Error::NotGenerated`], [`Error::Exists`] or [`Error::Link`] where a file may not be overwritten; [`Error::OutputTooLarge`]; [`Error::Io`].
+/// [`Error::NotGenerated`], [`Error::OtherModel`], [`Error::Exists`] or [`Error::Link`] where a file may not be overwritten; [`Error::OutputTooLarge`]; [`Error::Io`].
 pub fn write(files: &[(PathBuf, &str)], overwrite: Overwrite) -> Result<(), Error> {
     let staged = files.iter();
     let staged = staged.map(|(path, text)| stage(path, text, overwrite));
@@ -98,10 +100,21 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
                 path: path.to_owned(),
             });
         }
-        Some(old) if overwrite == Overwrite::Generated && !ownership::is_ours(&old) => {
+        Some(old) if overwrite != Overwrite::Anything && !ownership::is_ours(&old) => {
             return Err(Error::NotGenerated {
                 path: path.to_owned(),
             });
+        }
+        Some(old) if overwrite == Overwrite::OfModel => {
+            let models = [&old, text.as_bytes()].map(origin::model_of);
+            if let [Some(model), Some(own)] = models
+                && model != own
+            {
+                return Err(Error::OtherModel {
+                    path: path.to_owned(),
+                    model,
+                });
+            }
         }
         _ => {}
     }

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use kane_codegen::{description::Description, options::Options, rounded_angles};
+use kane_codegen::{
+    description::Description, options::Options, program::Operations, rounded_angles,
+};
 
 use crate::cli::{Voice, job::Reported};
 
@@ -22,12 +24,17 @@ pub(crate) fn tell(modules: &[Reported<'_>], voice: Voice) {
     }
 }
 
-/// Tells it of the functions that would be generated of a model.
-pub(crate) fn tell_of(description: &Description, options: &Options, voice: Voice) {
+/// Tells it of these functions of a model, or of those that would be generated.
+pub(crate) fn tell_of(
+    description: &Description,
+    options: &Options,
+    functions: Option<&[(String, Operations)]>,
+    voice: Voice,
+) {
     if voice.is_quiet() {
         return;
     }
-    if let Some(note) = rounded_angles::note(description, options, None) {
+    if let Some(note) = rounded_angles::note(description, options, functions) {
         voice.warn(&note);
     }
 }

@@ -7,6 +7,7 @@ use crate::{diagnostic::Diagnostic, tree::Tree};
 pub(crate) fn warnings(tree: &Tree, compiled: &Compiled) -> Vec<Diagnostic> {
     let mut warnings = without_columns(tree, compiled);
     warnings.extend(without_effect(tree, compiled));
+    warnings.extend(nothing_prescribed(tree, compiled));
     warnings
 }
 
@@ -18,6 +19,16 @@ fn without_effect(tree: &Tree, compiled: &Compiled) -> Option<Diagnostic> {
     is_in_vain.then(|| {
         Diagnostic::warning("`prescribed` changes nothing: no function is of `hybrid_dynamics`")
             .help("add `hybrid_dynamics` to `functions`, or leave `prescribed` out")
+    })
+}
+
+/// A warning if accelerations of some speeds can be given, and no speed is prescribed.
+fn nothing_prescribed(tree: &Tree, compiled: &Compiled) -> Option<Diagnostic> {
+    let mut functions = compiled.functions.iter();
+    let asks = functions.any(|one| one.request.prescribes());
+    (asks && tree.prescribed.is_empty()).then(|| {
+        Diagnostic::warning("`hybrid_dynamics` is forward dynamics: no joint is prescribed")
+            .help("write `prescribed = [\"joint\"]` in kane.toml, or `--prescribed joint`")
     })
 }
 

@@ -22,7 +22,7 @@ pub use crate::options::{Formulation, Functions};
 
 use crate::{
     description::toml_reader::Reader,
-    diagnostic::{Diagnostics, Source},
+    diagnostic::{Diagnostic, Diagnostics, Source},
 };
 
 /// What a `kane.toml` asks for.
@@ -66,6 +66,14 @@ pub fn read(source: &Source) -> (Config, Result<(), Diagnostics>) {
         let is_absent = item.is_none();
         let items = item.and_then(|item| reader.list(item, "`system`", "tables, `[[system]]`"));
         let are_known = is_whole && (is_absent || items.is_some());
+        if let (Some([]), Some(item)) = (items.as_deref(), item) {
+            let fault = Diagnostic::error("`system` lists none");
+            reader.faults.push(
+                fault
+                    .at(item.span().into(), "expected one or more")
+                    .help("write a table `[[system]]` for each"),
+            );
+        }
         let mut named = Vec::new();
         for (index, item) in items.unwrap_or_default().into_iter().enumerate() {
             let system::Read {

@@ -9,7 +9,7 @@ use std::{
 use crate::{
     description::toml_reader::{Reader, Table},
     diagnostic::{Diagnostic, Spanned},
-    options::companion::{self, CompanionKind},
+    options::companion::{self, Abi, CompanionKind},
 };
 
 use super::path;
@@ -22,6 +22,8 @@ pub(super) struct Output {
     pub(super) name: String,
     /// The module and what is beside it.
     files: Vec<PathBuf>,
+    /// True where programs in C call its functions.
+    is_for_c: bool,
 }
 
 /// Reads `output` of a system.
@@ -69,23 +71,57 @@ impl Output {
             module,
             name,
             files,
+            is_for_c: companions.contains(&CompanionKind::Abi(Abi::C)),
         }
     }
 }
 
-/// Two systems that write one file would each undo the other.
+/// Two systems that write one file would each undo the other, and two modules of one name are one to C.
 pub(super) fn check(reader: &mut Reader, outputs: &[Output]) {
-    let mut first: BTreeMap<PathBuf, &Spanned<String>> = BTreeMap::new();
+    let mut first: BTreeMap<String, (&PathBuf, &Spanned<String>)> = BTreeMap::new();
     for Output { module, files, .. } in outputs {
-        let known = |file: &PathBuf| Some((file.clone(), *first.get(&path::clean_path(file))?));
-        if let Some((file, first)) = files.iter().find_map(known) {
-            let fault = Diagnostic::error(format!("two systems write `{}`", file.display()));
-            reader.faults.push(
-                fault
-                    .at(module.span, "the second one")
-                    .at(first.span, "the first one"),
-            );
+        let known = files
+            .iter()
+            .find_map(|file| Some((file, *first.get(&place(file))?)));
+        if let Some((file, (other, first))) = known {
+            let [shown, other] = [file, other].map(|file| path::clean_path(file));
+            let fault = if shown == other {
+                format!("two systems write `{}`", file.display())
+            } else {
+                format!(
+                    "two systems write `{}` and `{}`, one file where the case of letters does not count",
+                    other.display(),
+                    file.display()
+                )
+            };
+            push(reader, fault, [first, module]);
         }
-        first.extend(files.iter().map(|file| (path::clean_path(file), module)));
+        first.extend(files.iter().map(|file| (place(file), (file, module))));
     }
+    let mut first: BTreeMap<String, &Spanned<String>> = BTreeMap::new();
+    for output in outputs.iter().filter(|output| output.is_for_c) {
+        let name = output.name.to_ascii_lowercase();
+        if let Some(first) = first.get(&name) {
+            let fault = format!(
+                "two systems with `abi = \"c\"` have modules called `{}`: functions in C begin with that name",
+                output.name
+            );
+            push(reader, fault, [*first, &output.module]);
+        }
+        first.entry(name).or_insert(&output.module);
+    }
+}
+
+/// A file's place, where the case of letters does not count.
+fn place(file: &Path) -> String {
+    path::clean_path(file).to_string_lossy().to_lowercase()
+}
+
+fn push(reader: &mut Reader, fault: String, [first, second]: [&Spanned<String>; 2]) {
+    let fault = Diagnostic::error(fault);
+    reader.faults.push(
+        fault
+            .at(second.span, "the second one")
+            .at(first.span, "the first one"),
+    );
 }

@@ -4,7 +4,7 @@ use std::path::{Component, Path, PathBuf};
 
 use crate::{
     description::toml_reader::{Item, Reader},
-    diagnostic::{Diagnostic, Spanned},
+    diagnostic::{Diagnostic, Escaped, Spanned},
 };
 
 /// A path that means the same on every machine: relative, and written with `/`.
@@ -12,6 +12,11 @@ pub(super) fn read(reader: &mut Reader, item: &Item<'_>, what: &str) -> Option<S
     let path = reader.string(item, what)?;
     let fault = if path.value.is_empty() {
         Some((format!("{what} is empty"), "expected a path"))
+    } else if Path::new(&path.value).file_name().is_none() {
+        Some((
+            format!("{what} is `{}`, a folder", path.value.escaped()),
+            "expected a file",
+        ))
     } else if path.value.chars().any(char::is_control) {
         Some((
             format!("{what} holds a character that cannot be shown"),

@@ -38,7 +38,42 @@ pub(crate) const HEADER: &str = ".h";
 
 /// What [`can_be_beside`] asks of a name.
 pub const EXPECTED_NAME: &str =
-    "expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust";
+    "expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust or header of C";
+
+/// The headers of the C library, which a program that looks for headers in the module's folder would miss.
+const C_HEADERS: [&str; 31] = [
+    "assert",
+    "complex",
+    "ctype",
+    "errno",
+    "fenv",
+    "float",
+    "inttypes",
+    "iso646",
+    "limits",
+    "locale",
+    "math",
+    "setjmp",
+    "signal",
+    "stdalign",
+    "stdarg",
+    "stdatomic",
+    "stdbit",
+    "stdbool",
+    "stdckdint",
+    "stddef",
+    "stdint",
+    "stdio",
+    "stdlib",
+    "stdnoreturn",
+    "string",
+    "tgmath",
+    "threads",
+    "time",
+    "uchar",
+    "wchar",
+    "wctype",
+];
 
 impl Abi {
     /// All of them, with the names that they have in `kane.toml`.
@@ -102,7 +137,9 @@ pub(crate) fn beside(module: &Path, ending: &str) -> PathBuf {
 
 /// True where files of these kinds can stand beside a module of this name.
 pub fn can_be_beside(kinds: &BTreeSet<CompanionKind>, name: &str) -> bool {
-    !kinds.iter().any(|kind| kind.names_module()) || is_name(name)
+    let is_header = C_HEADERS.contains(&&*name.to_ascii_lowercase());
+    let is_taken = is_header && kinds.contains(&CompanionKind::Abi(Abi::C));
+    !kinds.iter().any(|kind| kind.names_module()) || is_name(name) && !is_taken
 }
 
 /// True for a name that a module of Rust can have, and with which names in C can begin.

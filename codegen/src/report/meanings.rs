@@ -31,8 +31,10 @@ pub fn meanings(old: &str, new: &str) -> Result<Vec<Meaning>, syn::Error> {
     let old: BTreeMap<String, Said> = rust::read(old, |file| said(&file))?.into_iter().collect();
     let new = rust::read(new, |file| said(&file))?.into_iter();
     let changed = new.filter_map(|(name, new)| {
-        let old = old.get(&name).filter(|old| old.meaning != new.meaning)?;
-        Some(Meaning {
+        let old = old.get(&name)?;
+        // Places that moved, under names that stay, are told as such.
+        let is_other = old.meaning != new.meaning && old.shown != new.shown;
+        is_other.then(|| Meaning {
             name,
             old: old.shown.clone(),
             new: new.shown,

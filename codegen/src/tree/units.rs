@@ -21,6 +21,8 @@ const ROUND: f64 = 50.0;
 const FAR: f64 = 20.0;
 /// The mass of all bodies of a small system, kg.
 const SMALL: f64 = 1000.0;
+/// So many offsets between joints say which unit all have, where bodies have another one.
+const FEW: usize = 3;
 /// A length in millimetres among others in metres is so many times the median.
 const MANY: Range<f64> = 100.0..5000.0;
 /// A mass centre is at most so many times as far away as the mass would have to be for the inertia about it.
@@ -154,10 +156,16 @@ fn long_lengths(description: &Description, lengths: &[Length], mass: f64) -> Vec
         return Vec::new();
     };
     let median = lengths[(lengths.len() - 1) / 2].metres;
-    if median > FAR {
+    let between: Vec<&Length> = lengths.iter().filter(|own| !own.is_mass_center).collect();
+    let most_are_far = between.len() >= FEW && between[(between.len() - 1) / 2].metres > FAR;
+    if median > FAR || most_are_far {
+        let (what, longest) = match between.last() {
+            Some(last) if median <= FAR => ("offsets between joints", *last),
+            _ => ("lengths", longest),
+        };
         let longest_metres = longest.metres;
         let message = format!(
-            "most lengths are above {FAR} m, the longest is {longest_metres:.1} m, and all bodies together have {mass:?} kg; are the lengths in millimetres?"
+            "most {what} are above {FAR} m, the longest is {longest_metres:.1} m, and all bodies together have {mass:?} kg; are the lengths in millimetres?"
         );
         let warning = Diagnostic::warning(message);
         return vec![warning.at(longest.span, "expected metres")];

@@ -297,7 +297,8 @@ fn places_that_mean_something_else_are_breaking() {
     generated("old.rs", "elbow");
     generated("new.rs", "upper");
     let ran = project.kane(&["diff", "old.rs", "new.rs"]);
-    let told = "\nBREAKING: places that mean something else\n  changed  prescribed speeds  elbow_dot -> upper_theta1_dot, upper_s2_dot\n";
+    let told = "\nBREAKING: places that mean something else\n  changed  prescribed speeds  elbow_dot -> upper_theta1_dot, upper_s2_dot\n\
+                options\n  changed  prescribed  \"elbow\" -> \"upper\"\n";
     assert!(ran.out.contains(told), "{}", ran.out);
     project.write(
         "renamed.rs",
@@ -435,7 +436,7 @@ fn modules_of_one_model_are_known_as_such() {
     assert_eq!(ran.code, 1);
     assert!(
         ran.out.starts_with(
-            "bodies and joints are the same: frames, options or the generator differ\n--- "
+            "bodies and joints are the same: options differ\noptions\n  added    fma  true\n--- "
         ),
         "{}",
         ran.out

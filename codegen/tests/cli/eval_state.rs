@@ -237,3 +237,45 @@ fn masses_below_zero_are_warned_of() {
     let told = "warning: `upper_mass` is -2.0 kg; expected zero or more\n";
     assert_eq!((ran.code, ran.err.as_str()), (0, told));
 }
+
+#[test]
+fn what_has_no_place_of_its_own_is_told_where_it_is() {
+    let project = Project::empty();
+    project.write("model.urdf", FOLLOWER);
+    for (function, state, told) in [
+        (
+            "potential_energy",
+            r#"{"q": {"right": 0.1}}"#,
+            "it follows `left`",
+        ),
+        (
+            "generalized_forces",
+            r#"{"q": {}, "loads": {"tool": {"force": [0, 0, 1], "moment": [0, 0, 0]}}}"#,
+            "it is fixed to `one`; name that",
+        ),
+    ] {
+        project.write("state.json", state);
+        let ran = project.kane(&[
+            "eval",
+            "model.urdf",
+            "-f",
+            function,
+            "--state",
+            "state.json",
+        ]);
+        assert_eq!(ran.code, 2, "{}", ran.out);
+        assert!(ran.err.contains(told), "{}", ran.err);
+    }
+}
+
+/// Two fingers, of which one follows the other, and a tool.
+const FOLLOWER: &str = "<robot name=\"gripper\"><link name=\"base\"/>
+    <link name=\"one\"><inertial><origin xyz=\"0.1 0 0\"/><mass value=\"1\"/>
+    <inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>
+    <link name=\"two\"><inertial><origin xyz=\"0.1 0 0\"/><mass value=\"1\"/>
+    <inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>
+    <link name=\"tool\"/>
+    <joint name=\"left\" type=\"continuous\"><parent link=\"base\"/><child link=\"one\"/><axis xyz=\"0 1 0\"/></joint>
+    <joint name=\"right\" type=\"continuous\"><parent link=\"base\"/><child link=\"two\"/><axis xyz=\"0 1 0\"/><mimic joint=\"left\"/></joint>
+    <joint name=\"mount\" type=\"fixed\"><parent link=\"one\"/><child link=\"tool\"/></joint>
+    </robot>";

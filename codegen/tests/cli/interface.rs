@@ -93,5 +93,5 @@ fn module_whose_name_c_cannot_have_is_refused_and_nothing_written() {
     let arguments = ["generate", "models/arm.toml", "--abi", "c", "--output"];
     let ran = project.kane(&[&arguments[..], &["my-arm.rs"]].concat());
     assert_eq!((ran.code, project.files()), (2, files));
-    insta::assert_snapshot!(ran.err, @"error: the module is called `my-arm`; the files beside it contain that name: expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust");
+    insta::assert_snapshot!(ran.err, @"error: the module is called `my-arm`; the files beside it contain that name: expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust or header of C");
 }

@@ -25,6 +25,7 @@ mod manifest;
 mod new;
 #[cfg(unix)]
 mod outputs;
+mod ownership;
 mod prescribed;
 mod project;
 mod requests;

@@ -290,3 +290,52 @@ fn shells_are_told_every_command() {
         }
     }
 }
+
+#[test]
+fn what_stands_in_the_wrong_place_is_told() {
+    let project = Project::empty();
+    project.write("bird.urdf", ROBOT);
+    let ran = project.kane(&["new", "bird.urdf", "bird"]);
+    assert_eq!(ran.code, 2);
+    insta::assert_snapshot!(ran.err, @"error: `bird.urdf` is a file; the name of the package comes first, then the model");
+    let generator = repository("codegen");
+    let ran = project.kane(&[
+        "new",
+        "bird",
+        "bird.urdf",
+        "--kane",
+        generator.to_str().unwrap(),
+    ]);
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err
+            .contains("holds the package `kane-codegen`; expected the folder of the crate `kane`"),
+        "{}",
+        ran.err
+    );
+    let ran = project.kane(&["new", "."]);
+    insta::assert_snapshot!(ran.err, @"error: `.` is there already; expected the name of a new folder");
+    let ran = project.kane(&["new", "math", "bird.urdf", "--abi", "c"]);
+    assert!(ran.err.contains("header of C"), "{}", ran.err);
+}
+
+#[test]
+fn prescribed_joints_get_the_function_that_heeds_them() {
+    let project = Project::empty();
+    project.write("bird.urdf", ROBOT);
+    let ran = project.kane(&["new", "bird", "bird.urdf", "--prescribed", "shoulder"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert!(!ran.err.contains("changes nothing"), "{}", ran.err);
+    assert!(
+        project
+            .read("bird/kane.toml")
+            .contains("functions = [\"default\", \"hybrid_dynamics\"]")
+    );
+    assert!(
+        project
+            .read("bird/src/bird.rs")
+            .contains("pub fn hybrid_dynamics<")
+    );
+    let ran = project.kane_in("bird", &["check"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+}

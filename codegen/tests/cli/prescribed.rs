@@ -355,7 +355,7 @@ fn diff_tells_what_prescribing_costs() {
     assert!(ran.out.contains("hybrid_dynamics"), "{ran:?}");
     assert!(
         ran.out
-            .contains("bodies and joints are the same: frames, options"),
+            .contains("bodies and joints are the same: options differ"),
         "{ran:?}"
     );
 }
@@ -412,4 +412,38 @@ fn functions_for_several_modules_of_a_model_need_an_output() {
     // Without, each is what `kane.toml` says.
     assert_eq!(project.kane(&["generate", "models/arm.toml"]).code, 0);
     assert_eq!(project.read("generated/bias.rs"), before);
+}
+
+#[test]
+fn nothing_prescribed_is_told_of_hybrid_dynamics() {
+    let project = project(&followed("joint = [\"theta3\"]"), "[]", "");
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.code, 0);
+    let told =
+        "warning: models/arm.toml: `hybrid_dynamics` is forward dynamics: no joint is prescribed";
+    assert!(ran.err.contains(told), "{}", ran.err);
+}
+
+#[test]
+fn places_of_prescribed_speeds_that_moved_are_no_other_speeds() {
+    let free = followed("joint = [\"theta2\"]\njoint_name = \"elbow\"");
+    let project = project(&free, r#"["elbow"]"#, "").committed();
+    project.replace(
+        "models/arm.toml",
+        "joint = [\"theta1\"]\n",
+        "joint = [\"theta1\", \"theta3\"]\n",
+    );
+    project.replace(
+        "models/arm.toml",
+        "mimic = { joint = \"shoulder\", multiplier = 2.0 }",
+        "",
+    );
+    let ran = project.kane(&["diff", "HEAD"]);
+    assert_eq!(ran.code, 1, "{}", ran.err);
+    assert!(
+        ran.out.contains("BREAKING: the places in u changed"),
+        "{}",
+        ran.out
+    );
+    assert!(!ran.out.contains("prescribed speeds"), "{}", ran.out);
 }

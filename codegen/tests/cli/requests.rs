@@ -419,3 +419,35 @@ fn a_name_near_one_of_the_kane_toml_is_met_with_that() {
         );
     }
 }
+
+#[test]
+fn frame_that_went_is_told_once_whatever_is_of_it() {
+    let project = with_functions(r#"["pose(tip)", "jacobian(tip)", "velocity(tip)"]"#);
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.code, 2);
+    assert_eq!(ran.err.matches("error:").count(), 1, "{}", ran.err);
+    assert!(
+        ran.err.contains("help: 2 more functions are of it"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn a_frame_that_stands_twice_is_refused() {
+    for request in [
+        "operational_inverse_inertia(fore, fore)",
+        "linear_operational_inverse_inertia(upper, fore, upper)",
+    ] {
+        let ran = with_functions(&format!("[\"{request}\"]")).kane(&["generate"]);
+        assert_eq!(ran.code, 2);
+        assert!(ran.err.contains("twice"), "{}", ran.err);
+    }
+    let ran = with_functions("[\"mass_matrix()\"]").kane(&["generate"]);
+    assert!(
+        ran.err
+            .contains("`mass_matrix` is of the whole system; expected nothing in brackets"),
+        "{}",
+        ran.err
+    );
+}

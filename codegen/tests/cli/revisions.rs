@@ -318,3 +318,22 @@ fn faults_of_kane_toml_are_pointed_at_in_each_revision() {
     assert_eq!((ran.code, ran.out.as_str()), (2, ""));
     insta::assert_snapshot!(ran.err);
 }
+
+#[test]
+fn options_that_changed_are_told_and_a_model_that_moved() {
+    let project = Project::arm().committed();
+    let config = project.read("kane.toml");
+    project.write("kane.toml", &format!("{config}snap = 1e-5\nfma = true\n"));
+    let ran = project.kane(&["diff", "HEAD"]);
+    assert_eq!(ran.code, 1, "{}", ran.err);
+    let told = "options\n  added    fma   true\n  changed  snap  1e-9 -> 1e-5\n";
+    assert!(ran.out.contains(told), "{}", ran.out);
+    project.write("models/other.toml", &project.read("models/arm.toml"));
+    project.write(
+        "kane.toml",
+        &config.replace("models/arm.toml", "models/other.toml"),
+    );
+    let ran = project.kane(&["diff", "HEAD"]);
+    let told = "the model was models/arm.toml and is models/other.toml";
+    assert!(ran.out.contains(told), "{}", ran.out);
+}

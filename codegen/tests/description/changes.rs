@@ -155,3 +155,24 @@ fn a_joint_is_not_both_locked_and_removed() {
         "{faults}"
     );
 }
+
+#[test]
+fn a_joint_that_is_fixed_is_removed_in_vain() {
+    let joints = [
+        "joint = [\"theta1\"]",
+        "joint = \"fixed\"",
+        "joint = [\"theta2\"]",
+    ];
+    let changes = Changes {
+        remove: vec!["b".to_owned()],
+        ..Changes::default()
+    };
+    let told = tree::build_with(&chain(joints), &changes)
+        .unwrap()
+        .warnings
+        .to_string();
+    assert!(
+        told.contains("is removed in vain: it was fixed before"),
+        "{told}"
+    );
+}

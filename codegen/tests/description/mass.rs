@@ -34,6 +34,16 @@ fn damper_that_pushes_is_a_warning() {
 }
 
 #[test]
+fn spring_that_pushes_away_from_rest_is_a_warning() {
+    let text = system("[0]", &[("a", "[\"theta1\"]")]) + "stiffness = -1.0\n";
+    let told = build(&text).unwrap().warnings.brief().lines[0].1.clone();
+    assert!(
+        told.contains("`stiffness` of body `a` is -1.0: it pushes away from rest"),
+        "{told}"
+    );
+}
+
+#[test]
 fn rounded_right_angle_between_free_angles_is_a_warning() {
     let text =
         system("[0]", &[("a", "[\"theta1\", \"theta3\"]")]) + "locked = { theta2 = -1.5708 }\n";

@@ -164,3 +164,17 @@ fn friction_is_told_to_be_in_no_equation() {
     insta::assert_snapshot!(build(&both).unwrap().warnings.brief().lines[0].1);
     insta::assert_snapshot!(told(&(arm() + "friction = 0.2\n")), @"the friction of `fore` is in no equation of motion; the constant `FRICTION` holds it, for your program to add");
 }
+
+#[test]
+fn offsets_between_joints_in_millimetres_are_a_warning_whatever_unit_bodies_have() {
+    let hinge = "\"revolute\"\naxis = [0, 1, 0]";
+    let bodies = ["one", "two", "three", "four"].map(|name| (name, hinge));
+    let text = system("[0, 1, 2, 3]", &bodies);
+    is_accepted(&text);
+    let text = text.replace("[0.0, 0.1, 0.3]", "[0.0, 100.0, 300.0]");
+    let told = build(&text).unwrap().warnings.brief().lines[0].1.clone();
+    assert!(
+        told.contains("most offsets between joints are above 20 m, the longest is 316.2 m"),
+        "{told}"
+    );
+}

@@ -2,7 +2,10 @@
 //!
 //! In: arguments and, where there is one, `kane.toml`. Out: a [`Selected`]: models, files, options.
 
-use std::path::{Path, PathBuf};
+use std::{
+    collections::BTreeMap,
+    path::{Path, PathBuf},
+};
 
 use clap::Args;
 use kane_codegen::companions::{Abi, CompanionKind};
@@ -180,6 +183,7 @@ impl Selection {
             .filter_map(|system| failures.keep(listed.job(system)))
             .collect();
         failures.none()?;
+        check_apart(&jobs, &path)?;
         Ok(Selected {
             jobs,
             whole: Some(Whole {
@@ -287,4 +291,24 @@ fn unlisted(model: &Path, config: &Path) -> Failures {
         config.display(),
         model.display()
     ))
+}
+
+/// Refuses two systems that write one file, to which links or folders above the `kane.toml` lead in two ways.
+fn check_apart(jobs: &[Job], config: &Path) -> Result<(), Failures> {
+    let mut failures = Failures::default();
+    let mut first: BTreeMap<PathBuf, PathBuf> = BTreeMap::new();
+    for file in jobs.iter().flat_map(Job::files) {
+        let name = file.file_name().unwrap_or_default();
+        let place = paths::of_new(paths::parent(&file))?.join(name);
+        if let Some(first) = first.get(&place) {
+            failures.add(Failures::message(format!(
+                "two systems of `{}` write one file, `{}` and `{}`",
+                config.display(),
+                first.display(),
+                file.display()
+            )));
+        }
+        first.entry(place).or_insert(file);
+    }
+    failures.none()
 }

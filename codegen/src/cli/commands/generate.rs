@@ -9,6 +9,7 @@ use std::{
 use clap::Args;
 use kane_codegen::{
     diagnostic::{count, first_few},
+    error::Error,
     generate::Generated,
     output::{self, Overwrite, Staged},
 };
@@ -24,9 +25,10 @@ use crate::cli::{
 /// Write the Rust modules of one model, or of everything in kane.toml
 ///
 /// Writes all files or none: if a model is faulty, it reports all faults of all models and changes no file. It does not touch a
-/// file that is up to date, and it refuses to overwrite a file without a banner of `kane`. The text depends only on the model and
-/// the options: it is the same in every folder and on every machine. It warns of functions that need more operations than
-/// `budget` in kane.toml allows. If kane.toml has several modules generated from a model, --functions needs --output to say for which.
+/// file that is up to date. It refuses to overwrite a file without a banner of `kane` and, for a model that kane.toml does not list,
+/// one with the banner of another model. The text depends only on the model and the options: it is the same in every folder and on
+/// every machine. It warns of functions that need more operations than `budget` in kane.toml allows. If kane.toml has several modules
+/// generated from a model, --functions needs --output to say for which.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
     kane generate\n  \
@@ -37,7 +39,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     selection: Selection,
 
-    /// Overwrite files that `kane generate` did not write
+    /// Overwrite files that `kane generate` did not write, or wrote of another model
     #[arg(long)]
     force: bool,
 }
@@ -55,17 +57,18 @@ pub(crate) fn run(
     let start = Instant::now();
     let selected = arguments.selection.read()?;
     let modules = job::generate(&selected.jobs)?;
-    let overwrite = if arguments.force {
-        Overwrite::Anything
-    } else {
-        Overwrite::Generated
+    let overwrite = |job: &Job| match (arguments.force, &job.listing) {
+        (true, _) => Overwrite::Anything,
+        // A model that is listed may have another path than it had.
+        (false, Some(_)) => Overwrite::Generated,
+        (false, None) => Overwrite::OfModel,
     };
     let mut failures = Failures::default();
     let mut files = Vec::new();
     let mut news = Vec::new();
     for (job, module) in selected.jobs.iter().zip(&modules) {
         let staged = failures
-            .keep(stage(job, module, overwrite))
+            .keep(stage(job, module, overwrite(job)))
             .unwrap_or_default();
         let are_written = staged.iter().any(|(_, staged)| !staged.is_up_to_date());
         news.push(Reported {
@@ -137,7 +140,7 @@ fn commit(files: Vec<(PathBuf, Staged)>, voice: Voice) -> Result<Vec<PathBuf>, F
         if staged.is_up_to_date() {
             voice.detail(format_args!("{} is up to date", path.display()));
         } else {
-            staged.commit()?;
+            staged.commit().map_err(|error| stopped(error, &written))?;
             voice.detail(format_args!("wrote {}", path.display()));
             written.push(path);
         }
@@ -145,12 +148,25 @@ fn commit(files: Vec<(PathBuf, Staged)>, voice: Voice) -> Result<Vec<PathBuf>, F
     Ok(written)
 }
 
+/// Why not all files were replaced, and which were.
+fn stopped(error: Error, written: &[PathBuf]) -> Failures {
+    let mut failures = Failures::from(error);
+    if !written.is_empty() {
+        failures.add(Failures::message(format!(
+            "files of one run differ now: it wrote {} before it stopped; run it again",
+            names(written)
+        )));
+    }
+    failures
+}
+
+fn names(paths: &[PathBuf]) -> String {
+    let shown = paths.iter().map(|path| Path::display(path).to_string());
+    first_few(&shown.collect::<Vec<_>>())
+}
+
 /// What happened to these files.
 fn told(written: &[PathBuf], all: &[PathBuf]) -> String {
-    let names = |paths: &[PathBuf]| {
-        let shown = paths.iter().map(|path| Path::display(path).to_string());
-        first_few(&shown.collect::<Vec<_>>())
-    };
     match (written.len(), all.len() - written.len()) {
         (0, 1) => format!("{} is up to date", names(all)),
         (0, count) => format!("all {count} files are up to date"),

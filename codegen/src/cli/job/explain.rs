@@ -1,9 +1,12 @@
 //! Why nothing can be generated: each fault at its place, in the model or in the `kane.toml` that lists it.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use kane_codegen::{
     description,
     diagnostic::{Diagnostic, Diagnostics, Source},
     error::Error,
+    functions::RequestError,
     tree::{self, Changes, Checked},
 };
 
@@ -25,8 +28,14 @@ impl Job {
         match error {
             Error::Invalid(found) => self.refused(&found),
             Error::Requests(faults) => {
-                let (placed, others) =
-                    self.placed(faults, |listing, fault| listing.functions.fault(fault));
+                let (faults, again) = once_a_frame(faults);
+                let (placed, others) = self.placed(faults, |listing, fault| {
+                    let shown = listing.functions.fault(fault)?;
+                    Some(match frame(fault).and_then(|name| again.get(name)) {
+                        Some(count) => shown.help(more(*count)),
+                        None => shown,
+                    })
+                });
                 let mut failures = Failures::default();
                 if !others.is_empty() {
                     failures.add(Error::Requests(others));
@@ -122,5 +131,37 @@ impl Job {
             failures.add(Diagnostics::new(Source::clone(&listing.config), placed));
         }
         (failures, others)
+    }
+}
+
+/// The frame that a request asks for in vain.
+fn frame(fault: &RequestError) -> Option<&str> {
+    match fault {
+        RequestError::UnknownFrame { name, .. } => Some(name),
+        _ => None,
+    }
+}
+
+/// The faults with the first one alone of each frame that is missing, and how many more there were.
+fn once_a_frame(faults: Vec<RequestError>) -> (Vec<RequestError>, BTreeMap<String, usize>) {
+    let (mut first, mut again) = (BTreeSet::new(), BTreeMap::new());
+    let is_first = |fault: &RequestError| {
+        let Some(name) = frame(fault) else {
+            return true;
+        };
+        let is_first = first.insert(name.to_owned());
+        if !is_first {
+            *again.entry(name.to_owned()).or_default() += 1;
+        }
+        is_first
+    };
+    let faults = faults.into_iter().filter(is_first).collect();
+    (faults, again)
+}
+
+fn more(count: usize) -> String {
+    match count {
+        1 => "one more function is of it".to_owned(),
+        several => format!("{several} more functions are of it"),
     }
 }

@@ -14,11 +14,15 @@ pub(crate) fn rows(comparison: &Comparison) -> Vec<Row> {
             (Some(old), Some(new)) if old != new => format!(", formulation {old} -> {new}"),
             _ => String::new(),
         };
-        let signed = difference(old, new);
+        let change_of_total = if old == new && formulations.is_empty() {
+            "other kinds".to_owned()
+        } else {
+            difference(old, new)
+        };
         row(
             "changed",
             &change.name,
-            format!("{old} -> {new} ({signed}{formulations})"),
+            format!("{old} -> {new} ({change_of_total}{formulations})"),
         )
     });
     let added = comparison.added.iter();
@@ -47,7 +51,7 @@ fn total(counted: &Counted) -> usize {
     counted.operations.total()
 }
 
-/// The change with its sign; the kinds of operations may change where their number does not.
+/// The change with its sign.
 fn difference(old: usize, new: usize) -> String {
     if new < old {
         format!("-{}", old - new)

@@ -7,12 +7,13 @@ use crate::description::xml::{Element, Reader};
 use crate::diagnostic::{Diagnostic, Spanned, shown};
 
 /// Elements without influence on the dynamics, wherever they stand.
-pub(super) const IGNORED: [&str; 8] = [
+pub(super) const IGNORED: [&str; 9] = [
     "visual",
     "collision",
     "material",
     "transmission",
     "gazebo",
+    "ros2_control",
     "safety_controller",
     "calibration",
     "sensor",

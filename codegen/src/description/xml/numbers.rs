@@ -51,8 +51,8 @@ impl Reader {
                 n => format!("has {n} entries"),
             };
             let fault = Diagnostic::error(format!("{what} {found}; expected {expected}"));
-            self.faults
-                .push(fault.at(value.span, format!("expected {expected}")));
+            let fault = fault.at(value.span, format!("expected {expected}"));
+            self.faults.push(with_help(fault, value.value));
             return None;
         }
         let several = words.len() > 1;
@@ -88,12 +88,20 @@ impl Reader {
                 "no number",
             ),
         };
-        let mut fault = Diagnostic::error(message).at(word.span, label);
-        if word.value.contains(',') {
-            fault = fault.help("numbers stand with spaces between them, without commas");
-        }
-        self.faults.push(fault);
+        let fault = Diagnostic::error(message).at(word.span, label);
+        self.faults.push(with_help(fault, word.value));
         None
+    }
+}
+
+/// With what to do about commas, and about what xacro has to put in.
+fn with_help(fault: Diagnostic, value: &str) -> Diagnostic {
+    if value.contains("${") || value.contains("$(") {
+        fault.help("expand the file first: `xacro arm.urdf.xacro > arm.urdf`")
+    } else if value.contains(',') {
+        fault.help("numbers stand with spaces between them, without commas")
+    } else {
+        fault
     }
 }
 

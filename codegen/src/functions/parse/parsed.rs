@@ -289,7 +289,9 @@ impl ParsedPart {
                 name: name.text.clone(),
             });
         };
-        if let Some(empty) = of.iter().find(|word| word.text.is_empty()) {
+        if let Some(empty) = of.iter().find(|word| word.text.is_empty())
+            && function.of != Of::System
+        {
             return syntax("expected the name of a frame", &empty.place);
         }
         let name = || name.text.clone();
@@ -316,7 +318,7 @@ impl ParsedPart {
             (Of::Frame(views), [frame, rest @ ..]) => {
                 Some(ParsedSubject::new(function, frame, rest, views)?)
             }
-            (Of::Frames(views), frames) => Some(ParsedSubject::of_several(frames, views)),
+            (Of::Frames(views), frames) => Some(ParsedSubject::of_several(text, frames, views)?),
         };
         Ok(Self {
             function,

@@ -60,7 +60,11 @@ impl ParsedSubject {
     }
 
     /// Frames, and at the end perhaps that their own axes are meant.
-    pub(in crate::functions) fn of_several(words: &[Word], views: &[View]) -> Self {
+    pub(in crate::functions) fn of_several(
+        text: &str,
+        words: &[Word],
+        views: &[View],
+    ) -> Result<Self, RequestError> {
         let has_local = views.contains(&View::Local);
         let (frames, view) = match words {
             [frames @ .., last] if has_local && last.is(LOCAL) && !frames.is_empty() => {
@@ -68,10 +72,18 @@ impl ParsedSubject {
             }
             frames => (frames, View::Inertial),
         };
-        Self {
+        // Its matrix would be singular.
+        let is_again = |at: &usize| frames[..*at].iter().any(|own| own.text == frames[*at].text);
+        if let Some(again) = (0..frames.len()).find(is_again) {
+            return Err(RequestError::Repeated {
+                request: text.to_owned(),
+                name: frames[again].text.clone(),
+            });
+        }
+        Ok(Self {
             frames: frames.to_vec(),
             view,
-        }
+        })
     }
 
     pub(in crate::functions) fn names(&self) -> impl Iterator<Item = &str> {

@@ -4,7 +4,7 @@ use super::request_error::names;
 use crate::{
     diagnostic::{Escaped, NearNames},
     functions::names::dictionary::advice_on_frame,
-    tree::Tree,
+    tree::{NamedFrame, Tree},
 };
 
 /// The most frames that are listed.
@@ -19,7 +19,11 @@ pub(super) fn advice(tree: Option<&Tree>, name: &str, near: &mut NearNames) -> S
         return advice;
     }
     let known = tree.map_or_else(Vec::new, |tree| {
-        let frames = tree.named_frames();
+        // Tools and feet before bodies.
+        let (bodies, others): (Vec<_>, Vec<_>) = tree
+            .named_frames()
+            .partition(|frame| matches!(frame, NamedFrame::Body(_)));
+        let frames = others.into_iter().chain(bodies);
         frames.map(|frame| tree.frame_name(frame)).collect()
     });
     among(&known, name, near)

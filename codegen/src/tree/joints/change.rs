@@ -271,6 +271,12 @@ fn of_removed(
         let fault = format!("{shown} is both locked and removed");
         findings.push(Diagnostic::error(fault).of_entry(Changes::REMOVE, name));
     }
+    let kind = description.bodies[body].joint.kind.as_ref();
+    if kind.is_some_and(|kind| kind.value.is_fixed()) {
+        let fault = format!("{shown} is removed in vain: it was fixed before");
+        findings.push(Diagnostic::warning(fault).of_entry(Changes::REMOVE, name));
+        return findings;
+    }
     let note = format!("{shown} is removed: it is fixed");
     findings.push(Diagnostic::note(note).one_of("joints are removed: they are fixed", shown));
     findings

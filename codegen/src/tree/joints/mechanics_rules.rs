@@ -33,7 +33,16 @@ pub(super) fn mechanics(
         check.coordinates("friction", &written.friction);
         check.coordinates("limits", &written.limits);
     }
-    check.dampers(&written.damping);
+    check.negative(
+        ("damping", "it adds energy"),
+        &written.damping,
+        "joints whose damping adds energy",
+    );
+    check.negative(
+        ("stiffness", "it pushes away from rest"),
+        &written.stiffness,
+        "joints whose springs push away from rest",
+    );
     check.rests(&written.rest, &written.stiffness);
     check.not_negative("armature", &written.armature, |value| value.nominal());
     check.not_negative("friction", &written.friction, |value| *value);
@@ -158,17 +167,21 @@ impl Check<'_> {
         }
     }
 
-    /// Warns of dampers that push: nothing else becomes wrong by them.
-    fn dampers(&mut self, damping: &PerCoordinate<Scalar>) {
-        for value in values(damping) {
+    /// Warns of dampers and springs that push: nothing else becomes wrong by them.
+    fn negative(
+        &mut self,
+        (quantity, why): (&str, &str),
+        quantities: &PerCoordinate<Scalar>,
+        all: &str,
+    ) {
+        for value in values(quantities) {
             let found = value.value.nominal();
             if found < 0.0 {
                 let name = self.name;
-                let message = format!(
-                    "`damping` of {name} is {found:?}: it adds energy; it is computed as given"
-                );
+                let message =
+                    format!("`{quantity}` of {name} is {found:?}: {why}; it is computed as given");
                 let warning = Diagnostic::warning(message).at(value.span, "negative");
-                let warning = warning.one_of("joints whose damping adds energy", self.called);
+                let warning = warning.one_of(all, self.called);
                 self.findings.push(warning);
             }
         }

@@ -43,3 +43,19 @@ fn a_base_that_is_free_is_proposed_where_nothing_moves() {
     let help = faults.list()[0].help.as_deref().unwrap_or_default();
     assert!(help.contains("`--base free`"), "{faults}");
 }
+
+#[test]
+fn numbers_that_xacro_or_a_space_would_mend_are_told_so() {
+    for (number, advice) in [
+        ("${length} 0 0", "expand the file first"),
+        ("${length}", "expand the file first"),
+        ("0,0,1", "without commas"),
+        ("0, 0, 1", "without commas"),
+    ] {
+        let joint = format!("<origin xyz=\"{number}\"/>");
+        let text = robot(&[("j", "continuous", "a", "b", &joint)]);
+        let faults = tree::build(&parse(&text, &Reading::default())).expect_err("no number");
+        let help = faults.list()[0].help.as_deref().unwrap_or_default();
+        assert!(help.contains(advice), "{faults}");
+    }
+}

@@ -1,6 +1,9 @@
 //! What differs between two models or modules, and between what.
 
-use kane_codegen::report::{self, Comparison, Differences, Meaning, Redeclared};
+use kane_codegen::{
+    origin,
+    report::{self, Comparison, Differences, Meaning, Redeclared},
+};
 
 use super::side::Described;
 use crate::cli::{Failures, text::lines::ChangedLines, text::text_diff::TextDiff};
@@ -16,6 +19,10 @@ pub(super) struct Report {
     pub(super) redeclared: Vec<Redeclared>,
     /// Places that mean something else.
     pub(super) meanings: Vec<Meaning>,
+    /// Options of the old and of the new text alone, but for functions, which are told one by one.
+    pub(super) options: [Vec<String>; 2],
+    /// The models that the texts name, where these differ.
+    pub(super) moved: Option<[String; 2]>,
     /// The unified diff of the texts; empty where they are the same.
     pub(super) diff: String,
     /// How much of it there is; `None` where the texts are the same.
@@ -39,6 +46,8 @@ impl Report {
             functions,
             redeclared,
             meanings,
+            options: options(texts),
+            moved: moved(texts),
             diff,
             lines,
         })
@@ -52,4 +61,24 @@ impl Report {
     pub(super) fn is_same(&self) -> bool {
         self.differences == Differences::default() && self.diff.is_empty()
     }
+}
+
+fn options(texts: [&str; 2]) -> [Vec<String>; 2] {
+    let [old, new] = texts.map(|text| {
+        let mut options = origin::options_of(text);
+        options.retain(|option| !option.starts_with("functions: "));
+        options
+    });
+    let without = |own: &[String], other: &[String]| -> Vec<String> {
+        let own = own.iter().filter(|option| !other.contains(option));
+        own.cloned().collect()
+    };
+    [without(&old, &new), without(&new, &old)]
+}
+
+fn moved(texts: [&str; 2]) -> Option<[String; 2]> {
+    let [Some(old), Some(new)] = texts.map(|text| origin::model_of(text.as_bytes())) else {
+        return None;
+    };
+    (old != new).then_some([old, new])
 }

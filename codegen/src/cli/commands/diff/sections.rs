@@ -1,6 +1,10 @@
 //! What differs, for people: in a terminal, and as tables for a pull request.
 
-use kane_codegen::report::{Body, Differences, LayoutChange, Meaning, Redeclared, ValueChange};
+use std::collections::BTreeMap;
+
+use kane_codegen::report::{
+    Body, Comparison, Differences, LayoutChange, Meaning, Redeclared, ValueChange,
+};
 
 use super::{report::Report, systems::Systems};
 use crate::cli::text::operations::{self, Row};
@@ -138,9 +142,15 @@ fn note(report: &Report) -> Option<String> {
     // Frames that only mark a place are no part of what is hashed.
     let says_the_same = old == new && report.differences.values.is_empty();
     let is_same_model = old.is_some() && says_the_same && !report.is_same();
-    is_same_model.then(|| {
-        "bodies and joints are the same: frames, options or the generator differ".to_owned()
-    })
+    let has_options = !report.options.iter().all(Vec::is_empty);
+    let how = match &report.moved {
+        _ if has_options => "options differ".to_owned(),
+        Some([old, new]) if report.functions == Comparison::default() => {
+            format!("the model was {old} and is {new}")
+        }
+        _ => "frames, functions or the generator differ".to_owned(),
+    };
+    is_same_model.then(|| format!("bodies and joints are the same: {how}"))
 }
 
 fn sections(report: &Report) -> Vec<Section> {
@@ -178,12 +188,30 @@ fn sections(report: &Report) -> Vec<Section> {
     let values = values.into_iter().map(value).collect();
     push(&mut sections, "bodies and joints", bodies);
     push(&mut sections, "values", values);
+    push(&mut sections, "options", options(&report.options));
     push(
         &mut sections,
         "operations",
         operations::rows(&report.functions),
     );
     sections
+}
+
+/// Options of which the old, the new or both texts have a value of their own.
+fn options([old, new]: &[Vec<String>; 2]) -> Vec<Row> {
+    let split = |option: &str| -> (String, String) {
+        let (key, value) = option.split_once(": ").unwrap_or((option, ""));
+        (key.to_owned(), value.to_owned())
+    };
+    let mut both: BTreeMap<String, [Option<String>; 2]> = BTreeMap::new();
+    for (place, options) in [old, new].into_iter().enumerate() {
+        for (key, value) in options.iter().map(|option| split(option)) {
+            both.entry(key).or_default()[place] = Some(value);
+        }
+    }
+    let both = both.into_iter();
+    both.map(|(key, [old, new])| came_or_went(key, old.as_deref(), new.as_deref()))
+        .collect()
 }
 
 fn layout(change: &LayoutChange) -> Section {
@@ -227,10 +255,14 @@ fn value(change: &ValueChange) -> Row {
         Some(body) => format!("{body}: {key}"),
         None => key.clone(),
     };
-    let (what, how) = match (&change.old, &change.new) {
+    came_or_went(name, change.old.as_deref(), change.new.as_deref())
+}
+
+fn came_or_went(name: String, old: Option<&str>, new: Option<&str>) -> Row {
+    let (what, how) = match (old, new) {
         (Some(old), Some(new)) => ("changed", format!("{old} -> {new}")),
-        (None, Some(new)) => ("added", new.clone()),
-        (Some(old), None) => ("removed", old.clone()),
+        (None, Some(new)) => ("added", new.to_owned()),
+        (Some(old), None) => ("removed", old.to_owned()),
         (None, None) => ("", String::new()),
     };
     [what.to_owned(), name, how]

@@ -1,6 +1,7 @@
 //! Arguments that are given by names: `{"q": {"elbow": 0.3}}`. What is not named is zero, and quaternions are no rotation.
 
 use kane_codegen::{
+    diagnostic::Escaped,
     functions::{Argument, Dimension},
     tree::{Joint, Tree},
 };
@@ -93,4 +94,22 @@ fn coordinates(joint: &Joint) -> Vec<usize> {
 fn speeds(joint: &Joint) -> Vec<usize> {
     let all = joint.speeds().into_iter();
     all.map(|(_, own)| own.index()).collect()
+}
+
+/// Where something moves or is that has no place of its own: a joint that follows another, a link that is fixed to a body.
+pub(super) fn elsewhere(tree: &Tree, argument: Argument, name: &str) -> Option<String> {
+    if *argument.shape().dimensions.first()? == Dimension::Bodies {
+        let mut fixed = tree.frames.iter().filter(|frame| frame.name == name);
+        let body = tree.body(fixed.next()?.body?);
+        return Some(format!(
+            "it is fixed to `{}`; name that",
+            body.name.escaped()
+        ));
+    }
+    let mut bodies = tree.bodies.iter();
+    let following = bodies.find(|body| body.joint.name == name)?;
+    let motion = following.joint.motions().into_iter().flatten().next()?;
+    let leader = tree.speed_bodies()[motion.speed.index()];
+    let leader = &tree.body(leader).joint.name;
+    (leader != name).then(|| format!("it follows `{}`", leader.escaped()))
 }

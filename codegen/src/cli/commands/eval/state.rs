@@ -14,7 +14,11 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, error::Category};
 
-use crate::cli::commands::eval::{by_name::Places, place::Place, unique::Unique};
+use crate::cli::commands::eval::{
+    by_name::{Places, elsewhere},
+    place::Place,
+    unique::Unique,
+};
 
 /// The values of inputs.
 pub(crate) type State = BTreeMap<Input, f64>;
@@ -189,7 +193,8 @@ impl Reader<'_> {
                     Diagnostic::error(format!("`{what}` names none of the {}", places.kind));
                 // Names of speeds end in it, and are listed without.
                 let name = name.strip_suffix("_dot").unwrap_or(name);
-                let help = self.known_names(name, &places.names(), places.kind);
+                let help = elsewhere(self.tree, argument, name)
+                    .unwrap_or_else(|| self.known_names(name, &places.names(), places.kind));
                 self.fault_of_key(&what, fault.help(help));
             }
         }

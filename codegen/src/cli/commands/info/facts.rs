@@ -17,8 +17,10 @@ pub(super) struct Shown {
     pub(super) pattern: Vec<Vec<bool>>,
     /// True where the default set is counted because nothing else was asked for.
     pub(super) are_default: bool,
-    /// False where the default set would take too long to count.
+    /// False where the default set, or all functions, would take too long to count.
     pub(super) is_counted: bool,
+    /// What was asked for then.
+    pub(super) uncounted: Vec<String>,
 }
 
 /// True where there is room for the tree and its partitions.

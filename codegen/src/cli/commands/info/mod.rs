@@ -130,15 +130,19 @@ pub(crate) fn run(
     if !arguments.without.is_empty() {
         options.without = arguments.without.iter().copied().collect();
     }
-    let is_counted = !(is_large && are_default);
-    let counts = if is_counted {
-        rounded_angles::tell_of(&model.description, &options, voice);
+    let are_named = !are_default && matches!(options.functions, Functions::Named(_));
+    let is_counted = !is_large || are_named;
+    let (mut counts, mut uncounted) = (Vec::new(), Vec::new());
+    if is_counted || !are_default {
         let requests = requests(tree, &options.functions)
             .map_err(|error| job.refused_functions(error, are_default))?;
-        report::count(tree, &requests, &options.without)
-    } else {
-        Vec::new()
-    };
+        if is_counted {
+            rounded_angles::tell_of(&model.description, &options, None, voice);
+            counts = report::count(tree, &requests, &options.without);
+        } else {
+            uncounted.extend(requests.iter().map(Request::text));
+        }
+    }
     let lacking = counts.iter().filter(|one| one.cheapest.is_none());
     for refused in lacking.filter_map(|one| one.refused.as_ref()) {
         voice.say(format_args!("note: {refused}"));
@@ -151,6 +155,7 @@ pub(crate) fn run(
             pattern,
             are_default,
             is_counted,
+            uncounted,
         };
         text::write(out, tree, &counts, &shown)?;
     }

@@ -64,10 +64,14 @@ pub(super) fn write(
         write_partitions(out, tree, &report::partitions(tree))?;
     }
     if !shown.is_counted {
-        return writeln!(
+        writeln!(
             out,
             "\nBeyond {COUNTED} speeds, or parts of bodies, only what --functions names is counted"
-        );
+        )?;
+        for name in &shown.uncounted {
+            writeln!(out, "  {name}")?;
+        }
+        return Ok(());
     }
     write_counts(out, counts, shown)
 }

@@ -3,9 +3,9 @@
 use kane_codegen::{
     companions::Abi,
     description::{Base, Chart, Reading, toml::quoted},
-    functions::parse::syntax::written,
+    functions::{DEFAULT, parse::syntax::written},
     id::BodyId,
-    options::Options,
+    options::{Functions, Options},
     tree::{Changes, Tree},
 };
 
@@ -46,9 +46,16 @@ pub(super) fn config(
         .chain(changes)
         .chain([abi]);
     let more = more.flatten();
+    let functions = match &options.functions {
+        Functions::Default(more) if !more.is_empty() => {
+            let all = std::iter::once(DEFAULT).chain(more.iter().map(String::as_str));
+            let all: Vec<String> = all.map(quoted).collect();
+            format!("functions = [{}]\n", all.join(", "))
+        }
+        _ => format!("# functions = [\"default\", {jacobian}]   # the default set and more\n"),
+    };
     format!(
-        "[[system]]\nmodel = {}\noutput = \"src/{name}.rs\"\n{}tests = true\n\
-         # functions = [\"default\", {jacobian}]   # the default set and more\n",
+        "[[system]]\nmodel = {}\noutput = \"src/{name}.rs\"\n{}tests = true\n{functions}",
         quoted(model),
         more.collect::<String>()
     )

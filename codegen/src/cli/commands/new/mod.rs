@@ -5,6 +5,7 @@ mod model;
 mod package;
 
 use std::{
+    collections::BTreeSet,
     fs,
     io::Write,
     path::{Path, PathBuf},
@@ -16,13 +17,14 @@ use kane_codegen::{
     description::{self, toml},
     diagnostic::Escaped,
     generate,
-    options::{Options, companion},
+    options::{Functions, Options, companion},
     output::{self, Overwrite},
 };
 
 use self::{model::Model, package::Dependency};
 use crate::cli::{
-    Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::parse::one_of, paths,
+    Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::parse::one_of,
+    paths, rounded_angles,
 };
 
 /// Names that a package, its program or a module of it cannot have, though they are names in Rust.
@@ -91,6 +93,19 @@ pub(crate) struct Arguments {
     kane: Option<PathBuf>,
 }
 
+impl Arguments {
+    /// What to say where a model stands in the place of the name.
+    fn swapped(&self) -> Option<Failures> {
+        let is_model =
+            self.folder.is_file() && self.model.as_ref().is_some_and(|model| !model.exists());
+        let message = format!(
+            "`{}` is a file; the name of the package comes first, then the model",
+            self.folder.display()
+        );
+        is_model.then(|| Failures::message(message))
+    }
+}
+
 /// Makes everything, then writes everything.
 pub(crate) fn run(
     arguments: &Arguments,
@@ -98,7 +113,11 @@ pub(crate) fn run(
     _: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
     let folder = &arguments.folder;
-    let name = name(folder)?;
+    let companions: BTreeSet<CompanionKind> = std::iter::once(CompanionKind::Tests)
+        .chain(arguments.abi.map(CompanionKind::Abi))
+        .collect();
+    let name =
+        name(folder, &companions).map_err(|failures| arguments.swapped().unwrap_or(failures))?;
     if folder.exists() {
         return Err(Failures::message(format!(
             "`{}` is there already; expected the name of a new folder",
@@ -108,13 +127,14 @@ pub(crate) fn run(
     let dependency = dependency(folder, arguments.kane.as_deref())?;
     arguments.changes.check()?;
     let mut options = Options {
-        companions: std::iter::once(CompanionKind::Tests)
-            .chain(arguments.abi.map(CompanionKind::Abi))
-            .collect(),
+        companions,
         module: name.clone(),
         ..Options::default()
     };
     arguments.changes.set(&mut options);
+    if !options.prescribed.is_empty() {
+        options.functions = Functions::Default(vec!["hybrid_dynamics".to_owned()]);
+    }
     let model = match &arguments.model {
         Some(path) => Model::read(path, &options, &name)?,
         None => Model::pendulum(&name)?,
@@ -124,6 +144,8 @@ pub(crate) fn run(
     let includes = description::no_includes;
     let generated = generate::generate(&model.source, &shown, &options, &includes)?;
     voice.warn(&model.warnings);
+    let functions = Some(&generated.functions[..]);
+    rounded_angles::tell_of(&generated.description, &options, functions, voice);
 
     let module = folder.join(format!("src/{name}.rs"));
     let abi = arguments.abi;
@@ -172,9 +194,22 @@ fn workspace_around(package: &Path) -> Result<Option<PathBuf>, Failures> {
     }))
 }
 
+/// The name of the package in a folder, as far as its manifest can be read.
+fn package_of(folder: &Path) -> Option<String> {
+    let text = fs::read_to_string(folder.join("Cargo.toml")).ok()?;
+    let table = ::toml::de::DeTable::parse(&text).ok()?;
+    let name = table.get_ref().get("package")?.get_ref().get("name")?;
+    name.get_ref().as_str().map(str::to_owned)
+}
+
 /// The package's name, which is the module's too.
-fn name(folder: &Path) -> Result<String, Failures> {
-    let name = folder.file_name().unwrap_or_default();
+fn name(folder: &Path, companions: &BTreeSet<CompanionKind>) -> Result<String, Failures> {
+    let name = folder.file_name().ok_or_else(|| {
+        let shown = folder.display();
+        Failures::message(format!(
+            "`{shown}` is there already; expected the name of a new folder"
+        ))
+    })?;
     let name = name.to_string_lossy().into_owned();
     let shown = name.escaped();
     if name.starts_with(|first: char| first.is_ascii_uppercase()) {
@@ -187,7 +222,7 @@ fn name(folder: &Path) -> Result<String, Failures> {
             "`{shown}` cannot be the name of the package and of its module: Rust or cargo use it for something else"
         )));
     }
-    if !companion::can_be_beside(&[CompanionKind::Tests].into(), &name) {
+    if !companion::can_be_beside(companions, &name) {
         return Err(Failures::message(format!(
             "`{shown}` cannot be the name of the package and of its module; {}",
             companion::EXPECTED_NAME
@@ -209,6 +244,13 @@ fn dependency(package: &Path, folder: Option<&Path>) -> Result<Dependency, Failu
             folder.display()
         ))
     })?;
+    if let Some(found) = package_of(&absolute).filter(|found| found != "kane") {
+        return Err(Failures::message(format!(
+            "`{}` holds the package `{}`; expected the folder of the crate `kane`",
+            folder.display(),
+            found.escaped()
+        )));
+    }
     // As it was given: relative, so that both folders can be moved together, or absolute.
     let relative =
         paths::relative(&paths::of_new(package)?, &absolute).filter(|_| folder.is_relative());
