@@ -13,4 +13,5 @@ mod matrices;
 mod mujoco;
 mod multiply_add;
 mod pinocchio;
+mod single;
 mod systems;
