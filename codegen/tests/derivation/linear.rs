@@ -95,7 +95,7 @@ fn forces_are_the_transposed_jacobian_s() {
 #[test]
 fn inverse_inertias_are_blocks_of_the_whole() {
     each_frame(|what, tree, state, name| {
-        for (rest, n) in [("", 1), (", local", 1), (", stand, \"marker one\"", 3)] {
+        for (rest, n) in [("", 1), (", local", 1), (", \"stand\", \"marker one\"", 3)] {
             // No frame may stand there twice.
             let again = format!(", {name}");
             let n = n - rest.matches(&again).count();
