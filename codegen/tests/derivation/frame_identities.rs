@@ -217,7 +217,11 @@ fn operational_inertias_are_the_inverse_mass_matrix_between_jacobians() {
         let inverse = Function::find("mass_matrix_inverse").expect("a function of the catalogue");
         let inverse = Request::from(inverse);
         let inverse = evaluate(tree, &inverse, Formulation::Notes, state);
-        for (others, own) in [("", ""), (", \"stand\", \"marker one\"", ""), ("", ", local")] {
+        for (others, own) in [
+            ("", ""),
+            (", \"stand\", \"marker one\"", ""),
+            ("", ", local"),
+        ] {
             // No frame may stand there twice.
             let others = others.split(", ").skip(1).filter(|other| *other != name);
             let frames: Vec<&str> = std::iter::once(name).chain(others).collect();

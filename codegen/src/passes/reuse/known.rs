@@ -1,5 +1,5 @@
-//! What the values of a body may be made of: one another, what they are computed from, and what the bodies on the path to it compute
-//! of nothing that comes from farther out.
+//! What the values of a body may be made of: one another, what they are computed from, what the bodies on the path to it compute of
+//! nothing that comes from farther out, and what bodies farther out compute.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,10 +1,13 @@
-//! Reuse. Needs: nothing. Afterwards: in a body of up to 1500 values, with up to 64 bodies on its path, hardly a value of the loop
-//! equals another one, or the sum, difference or product of two others if it takes several operations of its own; or of three. The
-//! others are those of the body, what these are computed from, what bodies on the path to it compute of nothing from farther out, and
-//! those of bodies farther out if these are at most 4000. Keeps: the value of every root, up to rounding, which takes no more of it
-//! than before: no terms that cancel come in. Never raises the number of operations. Does not: look at numbers, but at 2 and a half, or
-//! at bodies beside one: a changed mass changes no more than numbers, and a new body no more than what is of its path. A helper is a
-//! graph of its own.
+//! Reuse. Needs: nothing. Afterwards: hardly a value of the loop equals another one, or the sum, difference or product of two others if it
+//! takes several operations of its own; or of three. The others are those of the value's body, what these are computed from, what bodies
+//! on the path to it compute of nothing from farther out, and those of bodies farther out. Bodies are left as they are that have too many
+//! values (`search::MOST`), too many to choose from (`search::MOST_PAIRS`, `known::MOST_BEYOND`) or too many bodies on their path
+//! (`search::DEEPEST`).
+//!
+//! Keeps: the value of every root, up to rounding. The terms of a value are no larger than before, so no terms that cancel take digits; what
+//! is small beside its own terms anyway may be rounded otherwise. Never raises the number of operations. Does not: look
+//! at numbers, but at 2 and a half, or at bodies beside one: a changed mass changes no more than numbers, and a new body no more than what
+//! is of its path. A helper is a graph of its own.
 //!
 //! What can be reused is found by evaluating: inputs and numbers of the graph are drawn, modulo a prime, sine and cosine of an angle as
 //! a point of the circle, and what holds at two such points holds. So two ways to derive the same thing are found to be the same,
@@ -74,24 +77,40 @@ fn once(
     let found = search::all(tree, &work, others, reach, among);
     let sums = found.iter().filter(|found| !found.made.multiplies());
     let sums: Vec<Found> = sums.copied().collect();
-    let replaced = |found: Vec<Found>| {
-        if found.is_empty() {
+    // What is built is simplified anew: a new factor may join others, and part what was shared.
+    replaced(&work, found).or_else(|| replaced(&work, sums))
+}
+
+/// The graph with values replaced by these, but for those of bodies in which operations on parameters alone would come in, as where a
+/// number joins a parameter.
+fn replaced(work: &Work<'_>, mut found: Vec<Found>) -> Option<((ExprGraph, Vec<Expr>), Scopes)> {
+    let before = work.on_parameters();
+    while !found.is_empty() {
+        let mut replacing = work.clone();
+        let changed = replacing.replace(found.clone());
+        let next = rebuilt(&replacing);
+        let after = Work::new(&next.0, &next.1);
+        let more: Scopes = after
+            .on_parameters()
+            .into_iter()
+            .filter(|(body, count)| before.get(body).is_none_or(|before| count > before))
+            .map(|(body, _)| body)
+            .collect();
+        if more.is_empty() {
+            let is_better = after.total() < work.total();
+            return is_better.then_some((next, changed));
+        }
+        let n_before = found.len();
+        found.retain(|found| !more.contains(&work.graph.scope(found.id)));
+        if found.len() == n_before {
             return None;
         }
-        let mut replacing = Work::new(graph, roots);
-        let changed = replacing.replace(found);
-        let next = rebuilt(&replacing, roots);
-        let after = Work::new(&next.0, &next.1);
-        let is_better =
-            after.total() < work.total() && after.n_on_parameters() <= work.n_on_parameters();
-        is_better.then_some((next, changed))
-    };
-    // What is built is simplified anew: a new factor may join others, and part what was shared, or parameters from the state.
-    replaced(found).or_else(|| replaced(sums))
+    }
+    None
 }
 
 /// The graph built anew, operands first.
-fn rebuilt(work: &Work<'_>, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
+fn rebuilt(work: &Work<'_>) -> (ExprGraph, Vec<Expr>) {
     let old = work.graph;
     let mut graph = ExprGraph::with_capacity(old.len());
     let mut rebuilt = Rebuilt::new(old);
@@ -106,6 +125,6 @@ fn rebuilt(work: &Work<'_>, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
         }
         rebuilt.set(id, expr);
     }
-    let roots = roots.iter().map(|&root| rebuilt.expr(root)).collect();
+    let roots = work.roots.iter().map(|&root| rebuilt.expr(root)).collect();
     (graph, roots)
 }

@@ -20,6 +20,9 @@ use crate::{
 /// Of more values of a body none is made of others: it would take seconds, and change little.
 const MOST: usize = 1_500;
 
+/// Nor where there are more pairs of such a value and one to choose from: in a body with a thousand siblings that know all of one path.
+const MOST_PAIRS: usize = 2_000_000;
+
 /// Nor of three others where there are more than this to choose from.
 const MOST_OF_THREE: usize = 800;
 
@@ -55,11 +58,12 @@ pub(super) fn all(
             continue;
         };
         let given = bodies.given(&known);
+        let is_too_much = own.len() * given.len() > MOST_PAIRS;
+        if is_too_much || others == Others::Three && given.len() > MOST_OF_THREE {
+            continue;
+        }
         for (place, id) in given.iter().enumerate() {
             places[id.index()] = place;
-        }
-        if others == Others::Three && given.len() > MOST_OF_THREE {
-            continue;
         }
         let is_known: Vec<bool> = given.iter().map(|id| known.contains(id)).collect();
         let values = Values::of(work, &given, &places, &is_known);

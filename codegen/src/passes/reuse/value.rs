@@ -12,7 +12,7 @@ use crate::{
 const EXACT_POINTS: usize = 2;
 
 /// At how many points the sizes are known.
-const POINTS: usize = 16;
+const POINTS: usize = 32;
 
 /// A number at each of these.
 type Numbers = [f64; POINTS];
@@ -23,7 +23,8 @@ const SAME_SIZE: f64 = 1.0 + 1e-9;
 /// The exponent that the bits of 1 have.
 const ZERO_EXPONENT: usize = 1023;
 
-/// Powers of two by which inputs are scaled at all points but the first, so that no term is small beside others at all of them.
+/// Powers of two by which inputs are scaled at all points but the first, so that no term is small beside others at all of them. So are
+/// tangents of angles: at half of the points the cosine is small beside the sine.
 const POWERS: usize = 16;
 
 /// What is evaluated.
@@ -183,10 +184,8 @@ impl Evaluated for Sized {
     }
 
     fn on_circle(&self) -> [Self; 2] {
-        let both = self.real.map(Number::sin_cos);
-        [
-            Self::whole(both.map(|(sine, _)| sine)),
-            Self::whole(both.map(|(_, cosine)| cosine)),
-        ]
+        let secants = self.real.map(|tangent| (1.0 + tangent * tangent).sqrt());
+        let sines = std::array::from_fn(|point| self.real[point] / secants[point]);
+        [Self::whole(sines), Self::whole(secants.map(f64::recip))]
     }
 }

@@ -1,6 +1,9 @@
 //! A graph in which values were replaced: what is needed of it, in which order, how often, and what falls away with a value.
 
-use std::{cmp::Reverse, collections::BTreeSet};
+use std::{
+    cmp::Reverse,
+    collections::{BTreeMap, BTreeSet},
+};
 
 use super::made::{Found, Made};
 use crate::{
@@ -12,9 +15,10 @@ use crate::{
 const MOST_ALONE: usize = 64;
 
 /// The graph, with what its values are made of now.
+#[derive(Clone)]
 pub(super) struct Work<'a> {
     pub(super) graph: &'a ExprGraph,
-    roots: &'a [Expr],
+    pub(super) roots: &'a [Expr],
     made: Vec<Option<Made>>,
     /// What the roots need, operands first, and as far as that allows in the order of the graph.
     pub(super) order: Vec<NodeId>,
@@ -139,10 +143,15 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// How many operations depend on parameters alone: none where they were hoisted.
-    pub(super) fn n_on_parameters(&self) -> usize {
-        let is_one = |id: NodeId| self.cost(id) > 0 && self.graph.binding(id) != Binding::State;
-        self.order.iter().filter(|id| is_one(**id)).count()
+    /// How many operations of each body depend on parameters alone: none where they were hoisted.
+    pub(super) fn on_parameters(&self) -> BTreeMap<Option<BodyId>, usize> {
+        let is_one =
+            |id: &&NodeId| self.cost(**id) > 0 && self.graph.binding(**id) != Binding::State;
+        let mut counts = BTreeMap::new();
+        for id in self.order.iter().filter(is_one) {
+            *counts.entry(self.graph.scope(*id)).or_default() += 1;
+        }
+        counts
     }
 
     /// What all costs.
@@ -223,7 +232,7 @@ impl<'a> Work<'a> {
             }
             self.make(id, made);
             if !is_early {
-                self.put_in_order();
+                self.put_behind(id, made);
             }
             changed.insert(self.graph.scope(id));
         }
@@ -231,6 +240,26 @@ impl<'a> Work<'a> {
             self.put_in_order();
         }
         changed
+    }
+
+    /// Moves a value and what depends on it behind what it is made of now.
+    fn put_behind(&mut self, id: NodeId, made: Made) {
+        let Dependents { first, known } = self.dependents(id);
+        let last = made.operands().map(|operand| self.place(operand)).max();
+        let last = last.filter(|last| *last > first).unwrap_or(first);
+        let between = self.order[first..=last].iter().zip(known);
+        let (behind, before): (Vec<_>, Vec<_>) = between.partition(|(_, depends)| *depends);
+        let moved: Vec<NodeId> = before
+            .into_iter()
+            .chain(behind)
+            .map(|(id, _)| *id)
+            .collect();
+        for (place, id) in (first..).zip(moved) {
+            self.order[place] = id;
+            if self.places[id.index()] != NOWHERE {
+                self.places[id.index()] = place;
+            }
+        }
     }
 
     /// Makes a value of others, and forgets what falls away.
