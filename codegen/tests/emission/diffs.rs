@@ -305,6 +305,25 @@ fn a_changed_mass_changes_no_lines_of_another_tree() {
 }
 
 #[test]
+fn numbers_set_at_run_time_change_no_lines_of_another_tree() {
+    let joint = "\"free\"\nchart = \"angles\"\ndamping = { s1 = 0.3, s2 = 0.4, s3 = 0.5 }";
+    let head = "name = \"two\"\ngravity = [0.0, 0.0, -9.81]\nlower_bodies = [0, 0]\n";
+    let [one, other] = [body("a", 2, joint), body("b", 3, joint)];
+    let lines = |other: &str| -> Vec<String> {
+        let text = format!("{head}{one}{other}");
+        let functions = Functions::Named(vec!["hessian(kinetic_energy; q)".to_owned()]);
+        let module = generated(&text, Formulation::Recursive, functions);
+        let own = module
+            .lines()
+            .filter(|line| line.trim().starts_with("let a_"));
+        own.map(str::to_owned).collect()
+    };
+    let at_run_time = at_run_time(&other);
+    assert_ne!(at_run_time, other);
+    assert!(lines(&at_run_time) == lines(&other));
+}
+
+#[test]
 fn a_constant_that_changes_its_sign_renames_nothing() {
     let old = arms();
     let old = old.replace(

@@ -21,7 +21,7 @@ use crate::{
 const MOST: usize = 1_500;
 
 /// Nor where there are more pairs of such a value and one to choose from: in a body with a thousand siblings that know all of one path.
-const MOST_PAIRS: usize = 2_000_000;
+const MOST_PAIRS: usize = 8_000_000;
 
 /// Nor of three others where there are more than this to choose from.
 const MOST_OF_THREE: usize = 800;
