@@ -281,6 +281,9 @@ fn ten_thousand_bodies_are_read_and_told_to_be_too_many_to_generate() {
         ran.out
             .contains("\nA tree of more than 250 bodies is not shown\n")
     );
+    let ran = project.kane(&["info", "long.toml", "--functions", "all"]);
+    let names = "only what --functions names is counted\n  relative_rotation\n";
+    assert!(ran.code == 0 && ran.out.contains(names), "{}", ran.err);
     let ran = project.kane(&["convert", "long.toml", "--output", "converted.toml"]);
     assert_eq!(ran.code, 0);
     project.write("long.toml", &chain(10_001));

@@ -130,8 +130,9 @@ pub(crate) fn run(
     if !arguments.without.is_empty() {
         options.without = arguments.without.iter().copied().collect();
     }
-    let are_named = !are_default && matches!(options.functions, Functions::Named(_));
-    let is_counted = !is_large || are_named;
+    // A program that asks for a set gets its counts, however long that takes.
+    let are_wanted = arguments.json || matches!(options.functions, Functions::Named(_));
+    let is_counted = !is_large || are_wanted && !are_default;
     let (mut counts, mut uncounted) = (Vec::new(), Vec::new());
     if is_counted || !are_default {
         let requests = requests(tree, &options.functions)
