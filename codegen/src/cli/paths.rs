@@ -34,6 +34,11 @@ pub(crate) fn of_new(folder: &Path) -> Result<PathBuf, Error> {
     Ok(target(&here()?.join(above))?.join(rest))
 }
 
+/// Where a file stands or will stand, absolute, without links to its folder.
+pub(crate) fn place(file: &Path) -> Result<PathBuf, Error> {
+    Ok(of_new(parent(file))?.join(file.file_name().unwrap_or_default()))
+}
+
 /// The folder of the file, as written; the current folder is `.`.
 pub(crate) fn parent(file: &Path) -> &Path {
     match file.parent() {

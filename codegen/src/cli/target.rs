@@ -1,7 +1,7 @@
 //! Where a module goes.
 
 use std::{
-    fmt, fs,
+    fmt,
     path::{Path, PathBuf},
 };
 
@@ -39,14 +39,11 @@ impl Target {
 
     /// True where the target is the file to which `path` leads.
     pub(crate) fn is_same_file(&self, path: &Path) -> bool {
-        let place = |path: &Path| {
-            let folder = fs::canonicalize(paths::parent(path)).ok()?;
-            Some((folder, path.file_name()?.to_owned()))
-        };
         match self {
             Self::StandardOutput => false,
             Self::File(file) => {
-                file == path || place(file).is_some_and(|file| Some(file) == place(path))
+                let places = [file, path].map(|file| paths::place(file).ok());
+                file == path || places[0].is_some() && places[0] == places[1]
             }
         }
     }

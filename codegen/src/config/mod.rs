@@ -67,7 +67,7 @@ pub fn read(source: &Source) -> (Config, Result<(), Diagnostics>) {
         let items = item.and_then(|item| reader.list(item, "`system`", "tables, `[[system]]`"));
         let are_known = is_whole && (is_absent || items.is_some());
         if let (Some([]), Some(item)) = (items.as_deref(), item) {
-            let fault = Diagnostic::error("`system` lists none");
+            let fault = Diagnostic::error("`system` is an empty list");
             reader.faults.push(
                 fault
                     .at(item.span().into(), "expected one or more")

@@ -129,6 +129,6 @@ fn a_list_of_no_systems_is_refused() {
     for command in ["generate", "check"] {
         let ran = project.kane(&[command]);
         assert_eq!(ran.code, 2);
-        assert!(ran.err.contains("`system` lists none"), "{}", ran.err);
+        assert!(ran.err.contains("`system` is an empty list"), "{}", ran.err);
     }
 }

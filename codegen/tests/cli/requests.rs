@@ -427,7 +427,7 @@ fn frame_that_went_is_told_once_whatever_is_of_it() {
     assert_eq!(ran.code, 2);
     assert_eq!(ran.err.matches("error:").count(), 1, "{}", ran.err);
     assert!(
-        ran.err.contains("help: 2 more functions are of it"),
+        ran.err.contains("help: 2 more functions ask for it"),
         "{}",
         ran.err
     );

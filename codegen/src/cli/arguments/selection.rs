@@ -298,8 +298,7 @@ fn check_apart(jobs: &[Job], config: &Path) -> Result<(), Failures> {
     let mut failures = Failures::default();
     let mut first: BTreeMap<PathBuf, PathBuf> = BTreeMap::new();
     for file in jobs.iter().flat_map(Job::files) {
-        let name = file.file_name().unwrap_or_default();
-        let place = paths::of_new(paths::parent(&file))?.join(name);
+        let place = paths::place(&file)?;
         if let Some(first) = first.get(&place) {
             failures.add(Failures::message(format!(
                 "two systems of `{}` write one file, `{}` and `{}`",

@@ -153,7 +153,7 @@ fn stopped(error: Error, written: &[PathBuf]) -> Failures {
     let mut failures = Failures::from(error);
     if !written.is_empty() {
         failures.add(Failures::message(format!(
-            "files of one run differ now: it wrote {} before it stopped; run it again",
+            "{} was written before that; run the command again",
             names(written)
         )));
     }

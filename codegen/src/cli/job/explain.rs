@@ -161,7 +161,7 @@ fn once_a_frame(faults: Vec<RequestError>) -> (Vec<RequestError>, BTreeMap<Strin
 
 fn more(count: usize) -> String {
     match count {
-        1 => "one more function is of it".to_owned(),
-        several => format!("{several} more functions are of it"),
+        1 => "one more function asks for it".to_owned(),
+        several => format!("{several} more functions ask for it"),
     }
 }

@@ -61,7 +61,7 @@ fn with_frame(own: &'static str) -> &'static str {
 
 /// A name, and what follows the words with which names of other tools begin.
 fn words(name: &str) -> Vec<String> {
-    let word = with_our_center(&plain(name));
+    let word = with_center_of_mass(&plain(name));
     let rest = BEFORE.iter().filter_map(|before| word.strip_prefix(before));
     let mut words: Vec<String> = rest.map(str::to_owned).collect();
     words.push(word);
@@ -69,7 +69,7 @@ fn words(name: &str) -> Vec<String> {
 }
 
 /// The mass centre in our words, whatever stands behind it: `com_velocity`, `mass_centre_velocity`.
-fn with_our_center(word: &str) -> String {
+fn with_center_of_mass(word: &str) -> String {
     let word = word.replace("centre", "center");
     let mut rests = ["masscenter", "com"]
         .into_iter()

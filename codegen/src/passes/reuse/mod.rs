@@ -4,8 +4,8 @@
 //! values (`search::MOST`), too many to choose from (`search::MOST_PAIRS`, `known::MOST_BEYOND`) or too many bodies on their path
 //! (`search::DEEPEST`).
 //!
-//! Keeps: the value of every root, up to rounding. The terms of a value are no larger than before, so no terms that cancel take digits; what
-//! is small beside its own terms anyway may be rounded otherwise. Never raises the number of operations. Does not: look
+//! Keeps: the value of every root, up to rounding. The terms of a value are no larger than before, so terms that cancel cost no digits that
+//! they did not cost before. A value that is small beside its own terms may be rounded differently. Never raises the number of operations. Does not: look
 //! at numbers, but at 2 and a half, or at bodies beside one: a changed mass changes no more than numbers, and a new body no more than what
 //! is of its path. A helper is a graph of its own.
 //!

@@ -203,6 +203,29 @@ impl Composite {
     }
 }
 
+/// `factor ((a·b) 1 - (a b^T + b a^T) / 2)`: a second moment as an inertia.
+pub(in crate::recursive) fn around(
+    graph: &mut ExprGraph,
+    [a, b]: [Vector; 2],
+    factor: Expr,
+) -> Symmetric {
+    let half = graph.number(0.5);
+    let mut tensor = graph.zero_symmetric();
+    let products: Vector = std::array::from_fn(|i| {
+        let scaled = graph.mul(factor, a[i]);
+        graph.mul(scaled, b[i])
+    });
+    for i in 0..3 {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        tensor.diagonal[i] = graph.add(products[j], products[k]);
+        let (first, second) = (graph.mul(a[j], b[k]), graph.mul(a[k], b[j]));
+        let both = graph.add(first, second);
+        let both = graph.mul(factor, both);
+        tensor.mixed[i] = -graph.mul(half, both);
+    }
+    tensor
+}
+
 /// Labels the six components `text_xx` to `text_xy`.
 pub(in crate::recursive) fn name(graph: &mut ExprGraph, tensor: &Symmetric, text: &str) {
     for (component, letters) in tensor.diagonal.into_iter().zip(["xx", "yy", "zz"]) {

@@ -12,6 +12,7 @@ use crate::{
     given,
     id::{BodyId, BodyMap},
     kane::regressor::{COMPONENTS, PARAMETERS, place},
+    recursive::links::inertia,
     tree::Tree,
 };
 
@@ -157,25 +158,6 @@ pub(super) fn component(row: usize, column: usize) -> usize {
     4 + found.expect("shared: the six components are listed")
 }
 
-/// `factor ((a·b) 1 - (a b^T + b a^T) / 2)`: a second moment as an inertia.
-fn around(graph: &mut ExprGraph, [a, b]: [Vector; 2], factor: Expr) -> Symmetric {
-    let half = graph.number(0.5);
-    let mut tensor = graph.zero_symmetric();
-    let products: Vector = std::array::from_fn(|i| {
-        let square = graph.mul(a[i], b[i]);
-        graph.mul(factor, square)
-    });
-    for i in 0..3 {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        tensor.diagonal[i] = graph.add(products[j], products[k]);
-        let (first, second) = (graph.mul(a[j], b[k]), graph.mul(a[k], b[j]));
-        let both = graph.add(first, second);
-        let both = graph.mul(factor, both);
-        tensor.mixed[i] = -graph.mul(half, both);
-    }
-    tensor
-}
-
 /// `a b^T + b a^T`, or half of it where `a` and `b` are one.
 fn product(graph: &mut ExprGraph, a: Vector, b: Vector, are_one: bool) -> Symmetric {
     let factor = graph.number(if are_one { 0.5 } else { 1.0 });
@@ -241,9 +223,9 @@ impl OnAxis {
     /// a mass of one that has first moment `H` there has `H + 2 z S` farther along by `z`, and needs `z` times their mean more.
     fn of_lower(&self, graph: &mut ExprGraph, lower: &Lower<'_>, kept: Expr) -> [Expr; 3] {
         let [one, two, half] = [1.0, 2.0, 0.5].map(|number| graph.number(number));
-        let along_axis = around(graph, [self.axis, self.axis], one);
+        let along_axis = inertia::around(graph, [self.axis, self.axis], one);
         let second = lower.of_inertia(graph, &along_axis);
-        let beside = around(graph, [self.axis, self.across], two);
+        let beside = inertia::around(graph, [self.axis, self.across], two);
         let mut nearest = lower.of_inertia(graph, &beside);
         for i in 0..3 {
             let share = graph.mul(self.axis[i], lower.moment(i));

@@ -8,7 +8,7 @@ use crate::{
     id::{BodyId, BodyMap, SpeedId},
     kane::center::Momentum,
     recursive::links::{
-        inertia::Composite,
+        inertia::{self, Composite},
         linkage::Linkage,
         passage::{Drive, Passenger},
         rotation::Turn,
@@ -164,16 +164,5 @@ fn turned(graph: &mut ExprGraph, inertia: &Symmetric, axis: Axis) -> Symmetric {
 /// `2 (r·p) 1 - r p^T - p r^T`: how the inertia about a point changes that has momentum `p` and lies farther off by `r`.
 fn carried(graph: &mut ExprGraph, r: Vector, p: Vector) -> Symmetric {
     let two = graph.number(2.0);
-    let products: Vector = std::array::from_fn(|i| {
-        let twice = graph.mul(two, r[i]);
-        graph.mul(twice, p[i])
-    });
-    let mut rate = graph.zero_symmetric();
-    for axis in Axis::ALL {
-        let (a, (b, c)) = (axis.index(), axis.others());
-        rate.diagonal[a] = graph.add(products[b], products[c]);
-        let (first, second) = (graph.mul(r[b], p[c]), graph.mul(r[c], p[b]));
-        rate.mixed[a] = -graph.add(first, second);
-    }
-    rate
+    inertia::around(graph, [r, p], two)
 }

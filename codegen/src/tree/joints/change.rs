@@ -273,7 +273,7 @@ fn of_removed(
     }
     let kind = description.bodies[body].joint.kind.as_ref();
     if kind.is_some_and(|kind| kind.value.is_fixed()) {
-        let fault = format!("{shown} is removed in vain: it was fixed before");
+        let fault = format!("`remove` changes nothing: {shown} is fixed already");
         findings.push(Diagnostic::warning(fault).of_entry(Changes::REMOVE, name));
         return findings;
     }

@@ -1,9 +1,34 @@
 //! Which motions carry the axes of which others.
 
 use crate::{
+    expr::{Expr, ExprGraph},
     id::{BodyId, SpeedId},
+    solve::SpeedMatrix,
     tree::Tree,
 };
+
+/// Of columns with so many rows, one a speed, how each changes by the motion of each: what is `changed` of the first of two speeds by the
+/// second; nothing where that is empty.
+pub(super) fn changes(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    n_rows: usize,
+    changed: impl Fn(&mut ExprGraph, &Carrying<'_>, [SpeedId; 2]) -> Vec<Expr>,
+) -> SpeedMatrix {
+    let carrying = Carrying::new(tree);
+    let n = tree.n_speeds;
+    let mut rows = vec![vec![graph.zero(); n]; n_rows * n];
+    graph.enter(None);
+    let speeds = || (0..n).map(SpeedId::new);
+    let pairs = speeds().flat_map(|own| speeds().map(move |by| [own, by]));
+    for [own, by] in pairs {
+        let entries = changed(graph, &carrying, [own, by]);
+        for (row, entry) in entries.into_iter().enumerate() {
+            rows[row * n + own.index()][by.index()] = entry;
+        }
+    }
+    rows
+}
 
 /// Of a tree in which each speed moves one joint.
 pub(super) struct Carrying<'a> {

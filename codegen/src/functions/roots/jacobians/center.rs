@@ -1,11 +1,10 @@
 //! Derivatives of the partial velocities of the mass centre: how each column changes by the motion of another one.
 
-use super::{carrying::Carrying, swept::swept};
+use super::{carrying, swept::swept};
 use crate::{
     differentiate::Sweep,
     expr::{ExprGraph, Vector},
     functions::{argument::Argument, entries::Entries as _, function::Jacobians},
-    id::SpeedId,
     recursive::{Plan, totals::momentum_matrix},
     solve::SpeedMatrix,
     tree::Tree,
@@ -31,24 +30,17 @@ pub(in crate::functions) fn jacobian(graph: &mut ExprGraph, tree: &Tree, plan: &
 /// they turn, so that of two motions the outer one's column is turned by the inner one, whichever changes.
 fn by_motions(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> (SpeedMatrix, Vec<Vector>) {
     let [axes, columns] = momentum_matrix::center_jacobian_with_axes(graph, tree, plan);
-    let carrying = Carrying::new(tree);
-    let n = tree.n_speeds;
-    let mut rows = vec![vec![graph.zero(); n]; 3 * n];
-    graph.enter(None);
-    let speeds = || (0..n).map(SpeedId::new);
-    let pairs = speeds().flat_map(|own| speeds().map(move |by| [own, by]));
-    for [own, by] in pairs {
+    let rows = carrying::changes(graph, tree, 3, |graph, carrying, [own, by]| {
         let [inner, outer] = if carrying.carries(by, own) {
             [by, own]
-        } else if own == by || carrying.carries(own, by) {
+        } else if carrying.carries(own, by) {
             [own, by]
         } else {
-            continue;
+            return Vec::new();
         };
-        let changed = graph.cross(axes[inner.index()], columns[outer.index()]);
-        for (axis, entry) in changed.into_iter().enumerate() {
-            rows[axis * n + own.index()][by.index()] = entry;
-        }
-    }
+        graph
+            .cross(axes[inner.index()], columns[outer.index()])
+            .to_vec()
+    });
     (rows, columns)
 }

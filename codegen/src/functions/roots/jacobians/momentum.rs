@@ -4,7 +4,7 @@
 //! mass of all. If it carries another motion, `p'`, `h'`, it changes these by `s × p'` and `s × h' + r × p'`. If the other one carries it, `s'`, `r'`,
 //! by `s' × p` and `D s' - r' × p`; and if neither does, `h'` by `p' × p / m`.
 
-use super::{carrying::Carrying, swept::swept};
+use super::{carrying, swept::swept};
 use crate::{
     differentiate::Sweep,
     expr::ExprGraph,
@@ -48,13 +48,7 @@ fn by_motions(
     columns: &[Momentum],
     changes: &[Change],
 ) -> SpeedMatrix {
-    let carrying = Carrying::new(tree);
-    let n = tree.n_speeds;
-    let mut rows = vec![vec![graph.zero(); n]; 6 * n];
-    graph.enter(None);
-    let speeds = || (0..n).map(SpeedId::new);
-    let pairs = speeds().flat_map(|own| speeds().map(move |by| [own, by]));
-    for [own, by] in pairs {
+    carrying::changes(graph, tree, 6, |graph, carrying, [own, by]| {
         let changed = if carrying.carries(by, own) {
             carried(graph, &changes[by.index()], &columns[own.index()])
         } else if carrying.carries(own, by) {
@@ -63,12 +57,8 @@ fn by_motions(
         } else {
             beside(graph, tree, columns, [own, by])
         };
-        let parts = [changed.linear, changed.angular];
-        for (axis, &entry) in parts.as_flattened().iter().enumerate() {
-            rows[axis * n + own.index()][by.index()] = entry;
-        }
-    }
-    rows
+        changed.entries()
+    })
 }
 
 /// A column that turns with the motion, and passes the mass centre.
