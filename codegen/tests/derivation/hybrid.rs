@@ -139,13 +139,23 @@ fn all_ways_give_the_same_derivatives_whatever_is_prescribed() {
     each(|case| {
         let Case { tree, state, .. } = case;
         let has_values = !tree.parameters.is_empty();
-        let by_parameters = "d(hybrid_dynamics)/d(u, parameters, tau)";
+        let by_parameters = [
+            "d(hybrid_dynamics)/d(u, parameters, tau)",
+            "packed(d(hybrid_dynamics)/d(parameters))",
+            "jvp(hybrid_dynamics; parameters, u_dot)",
+            "vjp(hybrid_dynamics; tau, parameters)",
+            "hessian(hybrid_dynamics; u_dot, parameters)",
+        ];
         let texts = [
             "d(hybrid_dynamics)/d(q, u, u_dot, tau)",
             "packed(d(hybrid_dynamics)/d(tau, q))",
             "mass_matrix+hybrid_dynamics+d(hybrid_dynamics)/d(u_dot)",
+            "jvp(hybrid_dynamics; q, u, u_dot, tau)",
+            "vjp(hybrid_dynamics; q, u, u_dot, tau)",
+            "hybrid_dynamics+hessian(hybrid_dynamics; q, u, u_dot, tau)",
         ];
-        for text in texts.into_iter().chain(has_values.then_some(by_parameters)) {
+        let by_parameters = by_parameters.into_iter().filter(|_| has_values);
+        for text in texts.into_iter().chain(by_parameters) {
             let request = frames::request(tree, text);
             let all = ways(tree).map(|(formulation, plan)| {
                 frames::evaluate_by(tree, &request, formulation, &plan, state)

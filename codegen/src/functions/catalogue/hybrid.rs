@@ -37,6 +37,7 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
     )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
+    inverse_dynamics: Some(roots::dynamics::inverse_dynamics),
     doc: &[
         "Hybrid dynamics: of the speeds that `PRESCRIBED` marks, those of the joints that the option `prescribed` names, the accelerations are",
         "given and the forces found; of the others the reverse: `M u_dot + bias = tau` holds of the whole `u_dot` and `tau`, which are written.",

@@ -3,7 +3,7 @@
 
 use super::{
     derivative::{Derivative, DerivativeKind},
-    solved::{Solution, is_worth_an_inverse, solved},
+    solved::is_worth_an_inverse,
     sparsity::Sparsity,
 };
 use crate::{
@@ -70,24 +70,19 @@ impl Part {
         if others.by.is_empty() {
             return Vec::new();
         }
-        if let (Some(inverse_dynamics), Some(u_dot)) =
-            (self.function.inverse_dynamics, &told.values)
-        {
+        let values = told.values.iter();
+        if let Some(solution) = values.filter_map(|own| self.solution(tree, own)).next() {
             let graph = &mut derived.graph;
             // No sweep goes through calls.
             let plan = &plan.with(Technique::Lockstep, false);
-            let solution = Solution {
-                u_dot,
-                inverse_dynamics,
-            };
             let columns = others.columns(graph, tree, plan, &solution);
             // Where the inverse is asked for it costs nothing more.
             let tau = Variable::Given(Argument::Tau);
             let is_asked_for = self.derivative.iter().any(|own| own.by.contains(&tau));
             let is_worth_it = is_asked_for || is_worth_an_inverse(tree, &columns);
-            let inverse = told.by(&tau).filter(|_| is_worth_it);
-            let solved = solved(graph, tree, plan, inverse, columns);
-            return others.of_columns(tree, &solved);
+            let by_forces = told.by(&tau).filter(|_| is_worth_it);
+            let solved = solution.solved(graph, tree, plan, by_forces, columns);
+            return others.of_columns(tree, &solved, solution.values.len());
         }
         let n_columns = others.by.iter().map(|own| own.n_entries(tree));
         let n_columns: Vec<usize> = n_columns.collect();
@@ -148,6 +143,7 @@ impl Derivative {
         &self,
         tree: &Tree,
         columns: &[Vec<Expr>],
+        n_rows: usize,
     ) -> Vec<Matrix> {
         let mut rest = columns;
         let mut matrices = Vec::with_capacity(self.by.len());
@@ -155,7 +151,7 @@ impl Derivative {
             let (own, others) = rest.split_at(variable.n_entries(tree));
             rest = others;
             let row = |row: usize| own.iter().map(|column| column[row]).collect();
-            matrices.push((0..tree.n_speeds).map(row).collect());
+            matrices.push((0..n_rows).map(row).collect());
         }
         matrices
     }

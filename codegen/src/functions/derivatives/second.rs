@@ -1,41 +1,42 @@
-//! Second derivatives of accelerations, without a sweep through the solver.
+//! Second derivatives of what is solved for, without a sweep through the solver.
 //!
 //! Let `f(x, u_dot) = 0` be the forces that are lacking, with `df/du_dot = -M`, and `L` their sum weighted by `M^-1 multiplier`, which is kept.
 //! Then the second derivatives of the sum of the accelerations, weighted by the multiplier, are `L_xx + L_xa Y + (L_xa Y)^T`, where `a` are the
-//! accelerations and `Y` how these change with `x`: forces are linear in accelerations, so that `L_aa` is zero.
+//! accelerations and `Y` how these change with `x`: forces are linear in accelerations, so that `L_aa` is zero. Where accelerations of some speeds are given and
+//! their forces found, `a` are those of the others, and the weights also come from the multiplier of the forces.
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, ops::Range};
 
 use super::{
     derivative::{Derivative, DerivativeKind, entries, gradient, sweep, symmetric},
-    solved::{Solution, lacking},
+    solved::Balance,
 };
 use crate::{
+    differentiate::Seeds,
     expr::{Expr, ExprGraph, Input},
     functions::{
         argument::Argument,
         derived::Derived,
         formulation::Formulation,
-        function::{InverseDynamicsFn, Jacobians},
+        function::Jacobians,
         part::{Direct, Part},
         told::Told,
         variable::Variable,
     },
     given::Accelerations,
-    recursive::{Plan, Technique, accelerations::inverse_mass, derivatives},
+    id::SpeedId,
+    recursive::{Plan, Technique, derivatives},
     solve,
     tree::Tree,
 };
 
-/// Accelerations, how they change, and what weighs the forces that are lacking.
+/// What was solved for, and how accelerations change.
 struct First {
-    u_dot: Vec<Expr>,
-    /// What was found of other parts.
-    told: Told,
-    /// `Y`: a row for each acceleration, a column for each entry of the variables.
+    values: Vec<Expr>,
+    /// What was found beside.
+    told: Jacobians,
+    /// `Y`: a row for each acceleration, a column for each entry of the variables; zero where it is given.
     rows: Vec<Vec<Expr>>,
-    /// `M^-1 multiplier`.
-    weights: Vec<Expr>,
 }
 
 /// Second derivatives before accelerations and weights are known.
@@ -61,36 +62,40 @@ impl Part {
         derived: &mut Derived,
         tree: &Tree,
         (formulation, plan): (Formulation, &Plan),
-        inverse_dynamics: InverseDynamicsFn,
     ) -> Told {
         let derivative = self.differentiated();
         let sparsity = self.sparsity(tree);
         let places = sparsity.as_ref().map_or(&[][..], |own| &own.places);
         let multipliers = derivative.arguments(self.function.outputs, 0);
-        let inputs = multipliers.iter().flat_map(|own| own.inputs(tree));
-        let inputs: Vec<Input> = inputs.collect();
-        let first = self.first(derived, tree, (formulation, plan), &derivative.by, &inputs);
+        let First { values, told, rows } =
+            self.first(derived, tree, (formulation, plan), &derivative.by);
         // No sweep goes through calls.
         let plan = &plan.with(Technique::Lockstep, false);
         let graph = &mut derived.graph;
-        let solution = Solution {
-            u_dot: &first.u_dot,
-            inverse_dynamics,
-        };
-        let (lacking, mut values) = lacking(graph, tree, plan, &solution);
-        let weighted = (&multipliers[..], &lacking[..]);
+        let solution = self.solution(tree, &values);
+        let solution = solution.expect("functions: what has second derivatives so is solved for");
+        let by_forces = told.by(&Variable::Given(Argument::Tau));
+        let weights = solution.weights(graph, tree, plan, by_forces, &multipliers);
+        let Balance { entries, mut found } = solution.balance(graph, tree, plan);
         let is_swept = self.sweeps_by_accelerations(derivative);
-        let accelerations = Argument::UDot.inputs(tree).filter(|_| is_swept).collect();
-        let second = derivative.second(graph, tree, weighted, plan, (places, accelerations));
-        values.extend(inputs.into_iter().zip(first.weights.iter().copied()));
-        let mut second = second.substituted(graph, &values);
+        let free = solution.free(tree).filter(|_| is_swept).collect();
+        let weighted = (&multipliers[..], &entries[..]);
+        graph.enter(None);
+        let seeds = solution.seeds(derivative, graph, tree);
+        let second = derivative.second(graph, tree, (weighted, seeds), plan, (places, free));
+        found.extend(solution.in_place(tree, &multipliers, &weights));
+        let mut second = second.substituted(graph, &found);
         if !is_swept {
-            second.mixed = derivative.mixed(graph, tree, plan, &first.weights);
+            second.mixed = derivative.mixed(graph, tree, plan, &weights);
         }
         graph.enter(None);
-        let changes = second.with_accelerations(graph, &first.rows, places);
+        let changes = second.with_accelerations(graph, &rows, places);
         derived.roots.extend(changes);
-        first.told
+        let found = Jacobians {
+            values: Some(values),
+            ..told
+        };
+        found.into_told(self.values().name(), self.function.derivatives_tell)
     }
 
     /// First derivatives, and what they leave.
@@ -100,20 +105,18 @@ impl Part {
         tree: &Tree,
         (formulation, plan): (Formulation, &Plan),
         by: &[Variable],
-        multipliers: &[Input],
     ) -> First {
         let part = Self {
             derivative: Some(Derivative::new(DerivativeKind::Jacobian, by.to_vec())),
             ..self.clone()
         };
         let begin = derived.roots.len();
-        let told =
-            if let Some(Direct::Matrices(jacobians)) = part.direct_by(tree, formulation, plan) {
-                Some(part.derive_matrices(derived, tree, (formulation, plan), jacobians))
-            } else {
-                part.derive_in(derived, tree, formulation, plan);
-                None
-            };
+        let mut told = Jacobians::default();
+        if let Some(Direct::Matrices(jacobians)) = part.direct_by(tree, formulation, plan) {
+            told = part.derive_matrices(derived, tree, (formulation, plan), jacobians);
+        } else {
+            part.derive_in(derived, tree, formulation, plan);
+        }
         let entries = derived.roots.split_off(begin);
         let mut rest = &entries[..];
         let mut rows = vec![Vec::new(); tree.n_speeds];
@@ -124,30 +127,16 @@ impl Part {
                 rest = others;
             }
         }
-        let graph = &mut derived.graph;
-        let weights: Vec<Expr> = multipliers.iter().map(|own| graph.input(*own)).collect();
-        let one_by_one = &plan.with(Technique::Lockstep, false);
-        let tau = Variable::Given(Argument::Tau);
-        let inverse = told.as_ref().and_then(|told| told.by(&tau));
-        let weights = match inverse {
-            Some(inverse) => solve::product(graph, inverse, &weights),
-            None => inverse_mass::solution(graph, tree, one_by_one, weights),
-        };
-        let u_dot = told.as_ref().and_then(|told| told.values.clone());
-        let u_dot = u_dot.unwrap_or_else(|| {
+        let values = told.values.take().unwrap_or_else(|| {
+            let one_by_one = &plan.with(Technique::Lockstep, false);
             self.derive_values(derived, tree, formulation, one_by_one);
             derived.roots.split_off(begin)
         });
-        let found = Jacobians {
-            values: Some(u_dot.clone()),
-            ..told.unwrap_or_default()
-        };
-        First {
-            told: found.into_told(self.values().name(), self.function.derivatives_tell),
-            u_dot,
-            rows,
-            weights,
+        let prescribed = tree.prescribed.iter().filter(|_| self.function.prescribes);
+        for speed in prescribed {
+            rows[speed.index()].fill(derived.graph.zero());
         }
+        First { values, told, rows }
     }
 }
 
@@ -184,18 +173,17 @@ impl Derivative {
         &self,
         graph: &mut ExprGraph,
         tree: &Tree,
-        weighted: (&[Argument], &[Expr]),
+        (weighted, (mut seeds, columns)): ((&[Argument], &[Expr]), (Seeds, Vec<Range<usize>>)),
         plan: &Plan,
-        (places, accelerations): (&[[usize; 2]], Vec<Input>),
+        (places, free): (&[[usize; 2]], Vec<SpeedId>),
     ) -> Second {
-        graph.enter(None);
-        let (mut seeds, columns) = self.seeds(graph, tree);
         let n_columns = columns.last().map_or(0, |last| last.end);
         let gradient = gradient(graph, tree, weighted, &seeds, n_columns);
         let one = graph.one();
-        let all = n_columns..n_columns + accelerations.len();
-        let accelerations = accelerations.into_iter().zip(all.clone());
-        seeds.extend(accelerations.map(|(input, column)| (input, vec![(column, one)])));
+        let all = n_columns..n_columns + tree.n_speeds;
+        for speed in free {
+            seeds.insert(Input::UDot(speed), vec![(all.start + speed.index(), one)]);
+        }
         let rows = sweep(plan).rows(graph, &gradient, &seeds);
         let mixed = rows.iter().map(|row| entries(graph, row, all.clone()));
         Second {

@@ -1,31 +1,48 @@
-//! Derivatives of accelerations and products with them, without a sweep through the solver.
+//! Derivatives of what is solved for and products with them, without a sweep through the solver.
 //!
-//! Let `f(x, u_dot) = 0` be the forces that are lacking, with `df/du_dot = -M`. Then `d(u_dot) = M^-1 df`: along a direction that is
-//! one more solution, and the gradient for a multiplier is that of `(M^-1 multiplier) · f` with the first factor kept. Whole derivatives are one solution for each column of `df`.
+//! Let `f(x, u_dot) = tau - needed` be the forces that are lacking, which are zero, with `df/du_dot = -M`. Then `d(u_dot) = M^-1 df`: along a
+//! direction that is one more solution, and the gradient for a multiplier is that of `(M^-1 multiplier) · f` with the first factor kept. Whole
+//! derivatives are one solution for each column of `df`. Where accelerations of some speeds are given and their forces found, `M_ff` of the free
+//! speeds takes the place of `M`, and `d(tau_p) = M_pf d(u_dot_f) - df_p`.
 
-use std::collections::BTreeMap;
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    ops::Range,
+};
 
 use super::derivative::{Asked, Derivative, DerivativeKind, entry, gradient};
 use crate::{
-    differentiate::forward,
+    differentiate::{Seeds, forward},
     expr::{Expr, ExprGraph, Input},
     functions::{
         argument::Argument, derived::Derived, formulation::Way, function::InverseDynamicsFn, roots,
     },
+    id::SpeedId,
     recursive::{Plan, accelerations::inverse_mass},
     solve::{self, SpeedMatrix},
     tree::Tree,
 };
 
-/// Accelerations that were solved for.
+/// Accelerations that were solved for, and forces where accelerations are given.
 pub(in crate::functions) struct Solution<'a> {
-    pub(in crate::functions) u_dot: &'a [Expr],
-    /// The forces that they need.
+    /// The outputs: accelerations, then forces if some are found.
+    pub(in crate::functions) values: &'a [Expr],
+    /// The forces that accelerations need.
     pub(in crate::functions) inverse_dynamics: InverseDynamicsFn,
+    /// The speeds with given accelerations, where forces are found.
+    pub(in crate::functions) prescribed: Option<&'a BTreeSet<SpeedId>>,
+}
+
+/// What follows from the solution's entries in turn: the forces that are lacking where accelerations are found, these with the other sign where forces are, and
+/// what is copied.
+pub(in crate::functions) struct Balance {
+    pub(in crate::functions) entries: Vec<Expr>,
+    /// Accelerations that are inputs until a sweep is over, and what they are.
+    pub(in crate::functions) found: BTreeMap<Input, Expr>,
 }
 
 impl Derivative {
-    /// Adds the derivatives of these accelerations, or the product, to what is derived.
+    /// Adds the derivatives of this solution, or the product, to what is derived.
     pub(in crate::functions) fn apply_to_solution(
         &self,
         derived: &mut Derived,
@@ -43,38 +60,39 @@ impl Derivative {
             DerivativeKind::Jacobian | DerivativeKind::PackedJacobian
         ) {
             let columns = self.columns(graph, tree, plan, solution);
-            let inverse = is_worth_an_inverse(tree, &columns);
+            let inverse = solution.prescribed.is_none() && is_worth_an_inverse(tree, &columns);
             let inverse = inverse.then(|| inverse_mass::inverse(graph, tree, plan));
-            let solved = solved(graph, tree, plan, inverse.as_ref(), columns);
-            return derived.put(&[tree.n_speeds], &self.of_columns(tree, &solved), sparsity);
+            let solved = solution.solved(graph, tree, plan, inverse.as_ref(), columns);
+            let sizes = solution.sizes(tree);
+            return derived.put(
+                &sizes,
+                &self.of_columns(tree, &solved, solution.values.len()),
+                sparsity,
+            );
         }
-        let (lacking, mut values) = lacking(graph, tree, plan, solution);
-        let (seeds, columns) = self.seeds(graph, tree);
+        let Balance { entries, found } = solution.balance(graph, tree, plan);
+        let (seeds, columns) = solution.seeds(self, graph, tree);
         if self.kind == DerivativeKind::Jvp {
             let seeds = self.along(graph, tree, seeds);
-            let rows = forward(graph, &lacking, &seeds);
+            let rows = forward(graph, &entries, &seeds);
             let changes: Vec<Expr> = rows.iter().map(|row| entry(graph, row, 0)).collect();
-            let changes = graph.substituted(&changes, &values);
-            let solved = inverse_mass::solution(graph, tree, plan, changes);
-            derived.roots.extend(solved);
+            let changes = graph.substituted(&changes, &found);
+            let solved = solution.solved(graph, tree, plan, None, vec![changes]);
+            derived.roots.extend(solved.concat());
             return;
         }
         let n_columns = columns.last().map_or(0, |last| last.end);
-        let weighted = (multipliers, &lacking[..]);
+        let weighted = (multipliers, &entries[..]);
         let gradient = gradient(graph, tree, weighted, &seeds, n_columns);
         // The solution takes the place of the multiplier after the sweep, so that it does not vary.
-        let inputs: Vec<Input> = multipliers
-            .iter()
-            .flat_map(|own| own.inputs(tree))
-            .collect();
-        let weights = inputs.iter().map(|input| graph.input(*input)).collect();
-        let solved = inverse_mass::solution(graph, tree, plan, weights);
-        values.extend(inputs.into_iter().zip(solved));
+        let weights = solution.weights(graph, tree, plan, None, multipliers);
+        let in_place = solution.in_place(tree, multipliers, &weights);
+        let values = in_place.into_iter().chain(found).collect();
         let gradient = graph.substituted(&gradient, &values);
         derived.roots.extend(gradient);
     }
 
-    /// How the forces that are lacking change with each entry of the variables, at these accelerations: `df`, column by column.
+    /// How the balance changes with each entry of the variables, column by column.
     pub(in crate::functions) fn columns(
         &self,
         graph: &mut ExprGraph,
@@ -82,51 +100,174 @@ impl Derivative {
         plan: &Plan,
         solution: &Solution<'_>,
     ) -> Vec<Vec<Expr>> {
-        let (lacking, values) = lacking(graph, tree, plan, solution);
-        let (seeds, columns) = self.seeds(graph, tree);
-        let rows = forward(graph, &lacking, &seeds);
+        let Balance { entries, found } = solution.balance(graph, tree, plan);
+        let (seeds, columns) = solution.seeds(self, graph, tree);
+        let rows = forward(graph, &entries, &seeds);
         let n_columns = columns.last().map_or(0, |last| last.end);
         let columns = (0..n_columns).map(|column| {
             let changes: Vec<Expr> = rows.iter().map(|row| entry(graph, row, column)).collect();
-            graph.substituted(&changes, &values)
+            graph.substituted(&changes, &found)
         });
         columns.collect()
     }
 }
 
-/// The forces that are lacking, of accelerations that are inputs until a sweep is over; and what these are.
-pub(super) fn lacking(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-    solution: &Solution<'_>,
-) -> (Vec<Expr>, BTreeMap<Input, Expr>) {
-    graph.enter(None);
-    let mut lacking = roots::dynamics::applied(graph, tree);
-    let needed = (solution.inverse_dynamics)(graph, tree, Way::Recursive(plan));
-    solve::subtract(graph, tree, &mut lacking, &needed);
-    let accelerations = Argument::UDot.inputs(tree);
-    let values = accelerations.zip(solution.u_dot.iter().copied()).collect();
-    graph.enter(None);
-    (lacking, values)
+impl Solution<'_> {
+    /// The lengths of the outputs.
+    fn sizes(&self, tree: &Tree) -> Vec<usize> {
+        vec![tree.n_speeds; 1 + usize::from(self.prescribed.is_some())]
+    }
+
+    /// True where the acceleration is found, not given.
+    pub(in crate::functions) fn is_free(&self, speed: SpeedId) -> bool {
+        self.prescribed.is_none_or(|own| !own.contains(&speed))
+    }
+
+    /// The speeds whose accelerations are found.
+    pub(in crate::functions) fn free(&self, tree: &Tree) -> impl Iterator<Item = SpeedId> {
+        let speeds = (0..tree.n_speeds).map(SpeedId::new);
+        speeds.filter(|speed| self.is_free(*speed))
+    }
+
+    pub(in crate::functions) fn balance(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        plan: &Plan,
+    ) -> Balance {
+        graph.enter(None);
+        let mut entries = roots::dynamics::applied(graph, tree);
+        let needed = (self.inverse_dynamics)(graph, tree, Way::Recursive(plan));
+        solve::subtract(graph, tree, &mut entries, &needed);
+        graph.enter(None);
+        if let Some(prescribed) = self.prescribed {
+            let mut forces = roots::dynamics::applied(graph, tree);
+            for &speed in prescribed {
+                let given = graph.input(Input::UDot(speed));
+                let lacking = std::mem::replace(&mut entries[speed.index()], given);
+                forces[speed.index()] = -lacking;
+            }
+            entries.extend(forces);
+        }
+        let free = self.free(tree);
+        let found = free.map(|speed| (Input::UDot(speed), self.values[speed.index()]));
+        Balance {
+            entries,
+            found: found.collect(),
+        }
+    }
+
+    /// How inputs change with the entries of the variables, and the columns of each: what is found is not given.
+    pub(in crate::functions) fn seeds(
+        &self,
+        derivative: &Derivative,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+    ) -> (Seeds, Vec<Range<usize>>) {
+        let (mut seeds, columns) = derivative.seeds(graph, tree);
+        seeds.retain(|input, _| match input {
+            Input::UDot(speed) => !self.is_free(*speed),
+            Input::Tau(speed) => self.is_free(*speed),
+            _ => true,
+        });
+        (seeds, columns)
+    }
+
+    /// How the outputs change where the balance changes so: by what the forces make where that is given, else a solution for each.
+    pub(in crate::functions) fn solved(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        plan: &Plan,
+        by_forces: Option<&SpeedMatrix>,
+        columns: Vec<Vec<Expr>>,
+    ) -> Vec<Vec<Expr>> {
+        let none = BTreeSet::new();
+        let prescribed = self.prescribed.unwrap_or(&none);
+        let still = vec![graph.zero(); tree.n_speeds];
+        let columns = columns.into_iter().map(|mut column| {
+            let forces = column.split_off(tree.n_speeds);
+            let mut lacking = column.clone();
+            for speed in prescribed {
+                lacking[speed.index()] = graph.zero();
+            }
+            let mut made = if let Some(by_forces) = by_forces {
+                solve::product(graph, by_forces, &lacking)
+            } else {
+                let of = (lacking, &still[..]);
+                let found = inverse_mass::partition(graph, tree, plan, of, prescribed);
+                [found.accelerations, found.forces].concat()
+            };
+            made.truncate(self.values.len());
+            for speed in prescribed {
+                made[speed.index()] = column[speed.index()];
+            }
+            let bodies = tree.speed_bodies();
+            for (place, force) in forces.into_iter().enumerate() {
+                let made = &mut made[tree.n_speeds + place];
+                graph.enter(bodies[place]);
+                *made = if self.is_free(SpeedId::new(place)) {
+                    force
+                } else {
+                    graph.add(*made, force)
+                };
+            }
+            made
+        });
+        columns.collect()
+    }
+
+    /// What weighs the forces that are lacking: `M_ff^-1 (a + M_fp t)` of the free speeds, `-t` of the others, where `a` and `t` are the multipliers of
+    /// accelerations and forces. `by_forces` is what the forces make, where that is known.
+    pub(in crate::functions) fn weights(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        plan: &Plan,
+        by_forces: Option<&SpeedMatrix>,
+        multipliers: &[Argument],
+    ) -> Vec<Expr> {
+        let inputs = multipliers.iter().flat_map(|own| own.inputs(tree));
+        let mut all: Vec<Expr> = inputs.map(|own| graph.input(own)).collect();
+        let none = BTreeSet::new();
+        let prescribed = self.prescribed.unwrap_or(&none);
+        let mut of_forces = all.split_off(tree.n_speeds);
+        let mut given = vec![graph.zero(); tree.n_speeds];
+        for (place, force) in of_forces.iter_mut().enumerate() {
+            if self.is_free(SpeedId::new(place)) {
+                *force = graph.zero();
+            } else {
+                (all[place], given[place]) = (graph.zero(), -*force);
+            }
+        }
+        let mut weights = if let Some(by_forces) = by_forces {
+            let of_outputs = [all, of_forces].concat();
+            solve::product(graph, &solve::transposed(by_forces), &of_outputs)
+        } else {
+            let all = (all, &given[..]);
+            inverse_mass::partition(graph, tree, plan, all, prescribed).accelerations
+        };
+        for speed in prescribed {
+            weights[speed.index()] = given[speed.index()];
+        }
+        weights
+    }
+
+    /// The weights by the multipliers whose place they take where the balance is weighed instead of the outputs.
+    pub(in crate::functions) fn in_place(
+        &self,
+        tree: &Tree,
+        multipliers: &[Argument],
+        weights: &[Expr],
+    ) -> Vec<(Input, Expr)> {
+        let inputs = multipliers.iter().flat_map(|own| own.inputs(tree));
+        let inputs: Vec<Input> = inputs.collect();
+        let free = self.free(tree).map(SpeedId::index);
+        free.map(|place| (inputs[place], weights[place])).collect()
+    }
 }
 
 /// True for as many columns as the inverse has, or more: it takes no more operations than their solutions.
 pub(in crate::functions) fn is_worth_an_inverse(tree: &Tree, columns: &[Vec<Expr>]) -> bool {
     columns.len() >= tree.n_speeds
-}
-
-/// `M^-1` times each of these columns: by the inverse where it is given, else a solution for each.
-pub(in crate::functions) fn solved(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-    inverse: Option<&SpeedMatrix>,
-    columns: Vec<Vec<Expr>>,
-) -> Vec<Vec<Expr>> {
-    let columns = columns.into_iter().map(|own| match inverse {
-        Some(inverse) => solve::product(graph, inverse, &own),
-        None => inverse_mass::solution(graph, tree, plan, own),
-    });
-    columns.collect()
 }

@@ -13,7 +13,7 @@ use crate::{
         },
         derived::Derived,
         formulation::Formulation,
-        function::{Function, InverseDynamicsFn},
+        function::Function,
         told::Told,
     },
     recursive::{Plan, Technique},
@@ -72,7 +72,7 @@ impl Part {
         let by = (formulation, plan);
         match self.route(tree, formulation, plan) {
             Route::Values => self.derive_values(derived, tree, formulation, plan),
-            Route::Swept => self.derive_swept(derived, tree, by, None),
+            Route::Swept => self.derive_swept(derived, tree, by, false),
             Route::Direct(Direct::Function(function)) => {
                 return self.derive_as(function, derived, tree, by);
             }
@@ -81,12 +81,10 @@ impl Part {
                 let matrices = self.function.derivatives_tell;
                 return found.into_told(self.values().name(), matrices);
             }
-            Route::Direct(Direct::Second(forces)) => {
-                return self.derive_second(derived, tree, by, forces);
+            Route::Direct(Direct::Second) => {
+                return self.derive_second(derived, tree, by);
             }
-            Route::Direct(Direct::Solved(forces)) => {
-                self.derive_swept(derived, tree, by, Some(forces));
-            }
+            Route::Direct(Direct::Solved) => self.derive_swept(derived, tree, by, true),
         }
         Told::default()
     }
@@ -121,7 +119,7 @@ impl Part {
         derived: &mut Derived,
         tree: &Tree,
         (formulation, plan): (Formulation, &Plan),
-        forces: Option<InverseDynamicsFn>,
+        is_solved: bool,
     ) {
         // No sweep goes through calls.
         let plan = &plan.with(Technique::Lockstep, false);
@@ -135,15 +133,24 @@ impl Part {
             multipliers: &multipliers,
             sparsity: sparsity.as_deref(),
         };
-        if let Some(inverse_dynamics) = forces {
-            let solution = Solution {
-                u_dot: &values,
-                inverse_dynamics,
-            };
+        if let Some(solution) = self.solution(tree, &values).filter(|_| is_solved) {
             return derivative.apply_to_solution(derived, tree, plan, &solution, asked);
         }
         let sizes = self.output_sizes(tree);
         derivative.apply(derived, tree, &values, &sizes, sweep(plan), asked);
+    }
+
+    /// What it solves for, if it does.
+    pub(in crate::functions) fn solution<'a>(
+        &self,
+        tree: &'a Tree,
+        values: &'a [Expr],
+    ) -> Option<Solution<'a>> {
+        Some(Solution {
+            values,
+            inverse_dynamics: self.function.inverse_dynamics?,
+            prescribed: self.function.prescribes.then_some(&tree.prescribed),
+        })
     }
 
     /// The derivative that it is.

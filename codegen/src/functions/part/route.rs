@@ -5,7 +5,7 @@ use crate::{
     functions::{
         derivatives::{derivative::DerivativeKind, jacobians::is_known},
         formulation::Formulation,
-        function::{Function, InverseDynamicsFn, JacobiansFn, MassMatrixUse},
+        function::{Function, JacobiansFn, MassMatrixUse},
         variable::Variable,
     },
     recursive::{Plan, Technique},
@@ -28,11 +28,11 @@ pub(in crate::functions) enum Direct {
     Function(&'static Function),
     /// All of them, in a way of the function's own.
     Matrices(JacobiansFn),
-    /// Second derivatives of accelerations, by the forces that these need.
-    Second(InverseDynamicsFn),
-    /// Products with derivatives of accelerations, or all of them by what `Matrices` does not know: one solution more, or one for each
+    /// Second derivatives of what is solved for, by the forces that are lacking.
+    Second,
+    /// Products with derivatives of what is solved for, or all of them by what `Matrices` does not know: one solution more, or one for each
     /// column.
-    Solved(InverseDynamicsFn),
+    Solved,
 }
 
 impl Part {
@@ -74,10 +74,10 @@ impl Part {
                 return Some(Direct::Matrices(jacobians));
             }
         }
-        let forces = self.function.inverse_dynamics?;
+        self.function.inverse_dynamics?;
         Some(match derivative.kind {
-            DerivativeKind::Hessian => Direct::Second(forces),
-            _ => Direct::Solved(forces),
+            DerivativeKind::Hessian => Direct::Second,
+            _ => Direct::Solved,
         })
     }
 
@@ -85,9 +85,9 @@ impl Part {
     pub(in crate::functions) fn alike(&self) -> Vec<Self> {
         let functions = match self.direct() {
             // Products with derivatives of accelerations take one more solution, by the plan of the first.
-            None | Some(Direct::Solved(_)) => [None; 2],
+            None | Some(Direct::Solved) => [None; 2],
             Some(Direct::Function(function)) => [self.function.derivatives_like, Some(function)],
-            Some(Direct::Matrices(_) | Direct::Second(_)) => [self.function.derivatives_like, None],
+            Some(Direct::Matrices(_) | Direct::Second) => [self.function.derivatives_like, None],
         };
         let functions = functions.into_iter().flatten();
         let part = |function| Self {
@@ -105,7 +105,7 @@ impl Part {
 
     /// True where some of them are of accelerations that forces make, by matrices.
     pub(in crate::functions) fn differentiates_accelerations(&self) -> bool {
-        let has_matrices = matches!(self.direct(), Some(Direct::Matrices(_) | Direct::Second(_)));
+        let has_matrices = matches!(self.direct(), Some(Direct::Matrices(_) | Direct::Second));
         has_matrices && self.function.solves()
     }
 
@@ -121,10 +121,10 @@ impl Part {
         match direct {
             Some(Direct::Function(function)) => inverts(function),
             // Those of what tells of the mass matrix are columns as it has them.
-            Some(Direct::Matrices(_) | Direct::Second(_)) => {
+            Some(Direct::Matrices(_) | Direct::Second) => {
                 !self.function.derivatives_tell.is_empty()
             }
-            Some(Direct::Solved(_)) | None => false,
+            Some(Direct::Solved) | None => false,
         }
     }
 
@@ -135,12 +135,12 @@ impl Part {
             return false;
         };
         match self.direct() {
-            None | Some(Direct::Second(_)) => true,
+            None | Some(Direct::Second) => true,
             Some(Direct::Matrices(_)) => {
                 let is_solved_for = self.function.inverse_dynamics.is_some();
                 !is_solved_for && !derivative.by.iter().all(is_known)
             }
-            Some(Direct::Function(_) | Direct::Solved(_)) => false,
+            Some(Direct::Function(_) | Direct::Solved) => false,
         }
     }
 }

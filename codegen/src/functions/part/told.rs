@@ -19,7 +19,7 @@ impl Part {
             return self.finds_matrix_of(other);
         }
         let direct = self.direct();
-        let tells = matches!(direct, Some(Direct::Matrices(_) | Direct::Second(_)));
+        let tells = matches!(direct, Some(Direct::Matrices(_) | Direct::Second));
         tells && other.derivative.is_none() && self.values().name() == other.name()
     }
 
@@ -50,7 +50,7 @@ impl Part {
                 let read_off = own.read_off.as_ref();
                 read_off.map_or(&[], |own| std::slice::from_ref(&own.matrix))
             }
-            Some(Direct::Matrices(_) | Direct::Second(_)) if derivative.by.iter().any(is_known) => {
+            Some(Direct::Matrices(_) | Direct::Second) if derivative.by.iter().any(is_known) => {
                 function.derivatives_tell
             }
             _ => &[],

@@ -115,7 +115,7 @@ impl Calls {
         rows
     }
 
-    /// False where a call would move more numbers than it saves operations. A row that is gathered is written number by number and
+    /// False where a call would compute more numbers than can be told apart, or move more numbers than it saves operations. A row that is gathered is written number by number and
     /// read, and one that is whole moves as a vector. What a call computes counts as read number by number, even if other
     /// calls alone read it: measured, such calls save no time.
     fn is_worth_it(&self, groups: &Groups, call: usize) -> bool {
@@ -126,6 +126,10 @@ impl Calls {
             whole,
             n_found,
         } = self.rows(groups, call);
+        if n_found > usize::from(u16::MAX) {
+            // Results have no places for so many.
+            return false;
+        }
         let n_moves = 2 * (lanes * gathered.len() + whole.len()) + lanes * n_found;
         (lanes - 1) * own.len() > n_moves
     }

@@ -10,17 +10,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{articulated_inertia::Inertia, prescribed::Prescribed};
 use crate::{
     expr::{Expr, ExprGraph, Purpose, Vector},
-    given::{self, Accelerations, Loads},
+    given,
     id::{BodyId, BodyMap, SpeedId},
-    recursive::{
-        forces::loaded,
-        links::{
-            linkage::Linkage,
-            passage::{Drive, Passenger},
-            rotation::Turn,
-            totalled::Addend,
-            wrench::Wrench,
-        },
+    recursive::links::{
+        linkage::Linkage,
+        passage::{Drive, Passenger},
+        rotation::Turn,
+        totalled::Addend,
+        wrench::Wrench,
     },
     solve::Partitioned,
     tree::{Joint, Motion},
@@ -50,16 +47,14 @@ struct Eliminated {
 }
 
 /// Accelerations with `M u_dot + bias = tau`, of the linkage's motions, and forces of the prescribed speeds, whose accelerations
-/// are given; `tau` is theirs, less what springs and dampers take.
+/// are given; `tau` is theirs, less what springs and dampers take. The links' wrenches are for what moves without the others.
 pub(in crate::recursive) fn solution(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
     tau: Vec<Expr>,
     prescribed: &BTreeSet<SpeedId>,
-    loads: Loads,
+    wrenches: &BodyMap<Wrench>,
 ) -> Partitioned {
-    let given = Accelerations::GivenOf(prescribed);
-    let wrenches = loaded::needed(graph, linkage, given, loads);
     let wrenches = BodyMap::outward(linkage.tree.bodies.len(), |body, _| vec![wrenches[body]]);
     let mut solutions = solutions(graph, linkage, wrenches, &[tau], prescribed);
     solutions.remove(0)

@@ -9,7 +9,7 @@ use crate::{
     given::{Accelerations, Loads},
     id::SpeedId,
     recursive::{
-        forces::inverse_dynamics,
+        forces::{inverse_dynamics, loaded},
         links::linkage::Linkage,
         matrices::composite,
         plan::{Plan, Technique},
@@ -31,7 +31,9 @@ pub fn hybrid_dynamics(
     let linkage = Linkage::of_solution(graph, tree, plan, prescribed);
     exchange::forces(graph, &linkage, &mut tau);
     let mut solution = if plan.uses(Technique::Articulated) {
-        articulated::solution(graph, &linkage, tau, prescribed, loads)
+        let given = Accelerations::GivenOf(prescribed);
+        let wrenches = loaded::needed(graph, &linkage, given, loads);
+        articulated::solution(graph, &linkage, tau, prescribed, &wrenches)
     } else {
         let given = Accelerations::GivenOf(prescribed);
         let needed = inverse_dynamics::forces(graph, &linkage, given, loads);

@@ -1,35 +1,55 @@
 //! The inverse of the mass matrix, and what it makes of forces: the plan's solver on a system at rest without weight.
 
+use std::collections::BTreeSet;
+
 use super::{articulated, carriers, exchange, gains};
 use crate::{
     expr::{Expr, ExprGraph, LANES},
+    given::Accelerations,
+    id::SpeedId,
     recursive::{
+        forces::product,
         links::linkage::Linkage,
         matrices::composite,
         plan::{Plan, Technique},
     },
-    solve::{self, Carriers, Factors, Inversion, SpeedMatrix},
+    solve::{self, Carriers, Factors, FreeSpeeds, Inversion, Partitioned, SpeedMatrix},
     tree::Tree,
 };
 
 /// The `u_dot` with `M u_dot = tau`.
-pub fn solution(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, mut tau: Vec<Expr>) -> Vec<Expr> {
-    let linkage = Linkage::of_solution_without_weight(graph, tree, plan);
+pub fn solution(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, tau: Vec<Expr>) -> Vec<Expr> {
+    let none = vec![graph.zero(); tree.n_speeds];
+    partition(graph, tree, plan, (tau, &none), &BTreeSet::new()).accelerations
+}
+
+/// The `u_dot` of the free speeds and the `tau` of the prescribed ones with `M u_dot = tau`, where `u_dot` of the prescribed ones is given; zero of
+/// the others.
+pub fn partition(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    (mut tau, given): (Vec<Expr>, &[Expr]),
+    prescribed: &BTreeSet<SpeedId>,
+) -> Partitioned {
+    let linkage = Linkage::of_solution_without_weight(graph, tree, plan, prescribed);
     exchange::forces(graph, &linkage, &mut tau);
     let mut solution = if plan.uses(Technique::Articulated) {
-        let mut solutions = articulated::solutions_at_rest(graph, &linkage, &[tau]);
-        solutions.remove(0)
+        let wrenches = product::needed(graph, &linkage, Accelerations::Values(given));
+        articulated::solution(graph, &linkage, tau, prescribed, &wrenches)
     } else {
         let matrix = composite::matrix_with_rotors(graph, &linkage);
-        solve::factorise(graph, tree, matrix).solve(graph, tau)
+        let needed = solve::product(graph, &matrix, given);
+        let free = FreeSpeeds::new(graph, tree, matrix, prescribed);
+        free.partitioned(graph, tree, tau, &needed)
     };
-    exchange::accelerations(graph, &linkage, &mut solution);
+    exchange::accelerations(graph, &linkage, &mut solution.accelerations);
     solution
 }
 
 /// `M^-1`.
 pub fn inverse(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
-    let linkage = Linkage::of_solution_without_weight(graph, tree, plan);
+    let linkage = Linkage::of_solution_without_weight(graph, tree, plan, &BTreeSet::new());
     let is_articulated = plan.uses(Technique::Articulated);
     let mut inverse = if is_articulated && !plan.uses(Technique::Carriers) {
         by_articulated_bodies(graph, &linkage)

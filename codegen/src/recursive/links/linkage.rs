@@ -72,9 +72,10 @@ impl<'a> Linkage<'a> {
         graph: &mut ExprGraph,
         tree: &'a Tree,
         plan: &'a Plan,
+        prescribed: &BTreeSet<SpeedId>,
     ) -> Self {
         let falls = BodyMap::outward(tree.bodies.len(), |_, _| false);
-        let axes = solved(tree, plan, &BTreeSet::new());
+        let axes = solved(tree, plan, prescribed);
         Self::along(graph, tree, plan, axes, falls)
     }
 
