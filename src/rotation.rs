@@ -35,7 +35,7 @@ use crate::manifold::{
 };
 use crate::{Array, Real, square_root::square_root};
 
-/// The rotation matrix of a frame that has turned by a rotation vector, rad, of any length whose square is finite.
+/// The rotation matrix of a frame that has turned by a rotation vector, rad, of a length below 2^31 in `f64`, 2^17 in `f32`.
 ///
 /// ```
 /// let [x_axis, _, _] = kane::rotation::exp(&[0.0, 0.0, core::f64::consts::FRAC_PI_2]);
@@ -118,25 +118,20 @@ pub(crate) fn error_and_cosine<R: Real + PartialOrd>(
     to: &[[R; 3]; 3],
 ) -> ([R; 3], R) {
     let turn = between(from, to);
-    let (zero, one) = (R::from_f64(0.0), R::from_f64(1.0));
+    let zero = R::from_f64(0.0);
     let [x, y, z] = [0, 1, 2].map(|i| turn[i][i]);
-    let odd = [(2, 1), (0, 2), (1, 0)].map(|(i, j)| turn[i][j] - turn[j][i]);
-    let even = |i: usize, j: usize| turn[i][j] + turn[j][i];
-
-    // Euler parameters times four times the one that is greatest: the greatest stands in `square`, four times its square.
-    let (square, scalar, vector) = if x + y + z > zero {
-        let square = one + x + y + z;
-        (square, square, odd)
+    let greatest = if x + y + z > zero {
+        0
     } else if x >= y && x >= z {
-        let square = one + x - y - z;
-        (square, odd[0], [square, even(0, 1), even(0, 2)])
+        1
     } else if y >= z {
-        let square = one - x + y - z;
-        (square, odd[1], [even(0, 1), square, even(1, 2)])
+        2
     } else {
-        let square = one - x - y + z;
-        (square, odd[2], [even(0, 2), even(1, 2), square])
+        3
     };
+    let row = rows(&turn)[greatest];
+    let [scalar, vector @ ..] = row;
+    let square = row[greatest];
     // The square is from 1 to 4.
     let (half, quarter) = (R::from_f64(0.5), R::from_f64(0.25));
     let factor = half / square_root(quarter * square);
@@ -153,24 +148,28 @@ fn between<R: Real>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [[R; 3]; 3] {
 
 /// The quaternion of a turn of vectors, scalar first, of a length from 8 to 16; without the comparisons of errors, for lanes.
 fn quaternion<R: Real>(turn: &[[R; 3]; 3]) -> [R; 4] {
-    let one = R::from_f64(1.0);
-    let [x, y, z] = [0, 1, 2].map(|i| turn[i][i]);
-    let odd = [(2, 1), (0, 2), (1, 0)].map(|(i, j)| turn[i][j] - turn[j][i]);
-    let even = |i: usize, j: usize| turn[i][j] + turn[j][i];
-    // Each row is the unit quaternion times four times one of its entries, whose square stands on the diagonal.
-    let rows = [
-        [one + x + y + z, odd[0], odd[1], odd[2]],
-        [odd[0], one + x - y - z, even(0, 1), even(0, 2)],
-        [odd[1], even(0, 1), one - x + y - z, even(1, 2)],
-        [odd[2], even(0, 2), even(1, 2), one - x - y + z],
-    ];
-    // Their sum, each times its own square and with the sign of the others: rows with few digits, of small entries, do not count, and nothing
-    // cancels.
-    rows.iter()
+    // The sum of the rows, each times its own square and with the sign of the others: rows with few digits, of small entries, do not count, and
+    // nothing cancels.
+    rows(turn)
+        .iter()
         .enumerate()
         .fold([R::from_f64(0.0); 4], |sum, (i, row)| {
             let along = sum[0] * row[0] + sum[1] * row[1] + sum[2] * row[2] + sum[3] * row[3];
             let weight = sign(along) * row[i];
             [0, 1, 2, 3].map(|j| sum[j] + weight * row[j])
         })
+}
+
+/// The unit quaternion of a turn of vectors, scalar first, in each row times four times one of its entries, whose square stands on the diagonal.
+fn rows<R: Real>(turn: &[[R; 3]; 3]) -> [[R; 4]; 4] {
+    let one = R::from_f64(1.0);
+    let [x, y, z] = [0, 1, 2].map(|i| turn[i][i]);
+    let odd = [(2, 1), (0, 2), (1, 0)].map(|(i, j)| turn[i][j] - turn[j][i]);
+    let even = |i: usize, j: usize| turn[i][j] + turn[j][i];
+    [
+        [one + x + y + z, odd[0], odd[1], odd[2]],
+        [odd[0], one + x - y - z, even(0, 1), even(0, 2)],
+        [odd[1], even(0, 1), one - x + y - z, even(1, 2)],
+        [odd[2], even(0, 2), even(1, 2), one - x - y + z],
+    ]
 }

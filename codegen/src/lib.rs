@@ -41,7 +41,7 @@
 //! | Name the values, and print the code as Rust, C and JSON. | [`listing`], [`printers`] |
 //!
 //! Three rules hold everywhere. A [`Tree`](tree::Tree) obeys every rule that a description can break, so no later stage fails because of
-//! a user's mistake. Nothing reads a clock, the environment or a hash order, so the same description gives the same bytes everywhere.
+//! a user's mistake. Nothing that decides the text reads a clock, the environment or a hash order, so the same description gives the same bytes everywhere.
 //! Only the command line, [`input`], [`output`], [`build_script`] and `object` touch files; `object` reads what rustc makes of a module.
 
 // Each module imports only from those that stand before it.

@@ -1,6 +1,6 @@
 //! Whether branches that are alike go side by side.
 //!
-//! In: a function's expressions after all other passes. Out: these, with what is alike in helpers, or as they are. Does not: change a function that would not become a
+//! In: a function's expressions after all other passes but `reuse`. Out: these, with what is alike in helpers, or as they are. Does not: change a function that would not become a
 //! good deal shorter.
 
 use crate::{

@@ -24,8 +24,11 @@ use crate::{
 /// How many states are tried.
 const STATES: u64 = 2;
 
-/// The most numbers that are compared one by one; those of larger outputs are summed.
+/// The most numbers that are compared one by one; those of larger outputs are summed, to as many or a few more.
 const MOST_NUMBERS: usize = 64;
+
+/// The most numbers of a sum: their weights differ.
+const MOST_SUMMED: usize = 1021;
 
 /// How many times the bound on rounding a value may be off. The bound is of first order, and knows nothing of the digits that
 /// constants lost where they were folded: that came to four times the bound.
@@ -94,7 +97,7 @@ fn sampled(
     let derived = emittable.request.derive(tree, notes, &plan);
     let entries = |lengths: &Vec<usize>| {
         let count: usize = lengths.iter().product();
-        count.div_ceil(MOST_NUMBERS).max(1)
+        count.div_ceil(MOST_NUMBERS).clamp(1, MOST_SUMMED)
     };
     let entries: Vec<usize> = lengths.iter().map(entries).collect();
     let values = states.iter().map(|inputs| {

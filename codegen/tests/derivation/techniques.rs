@@ -118,23 +118,6 @@ fn count(tree: &Tree, function: &str, without: &[Technique]) -> Operations {
     compile::emitted(&plans, &request, &choice.derived)
 }
 
-/// The most multiplications and additions of inverse dynamics with base parameters: what is known of other generators, or
-/// better.
-#[test]
-fn arms_of_dense_bodies_stay_below_their_limits() {
-    for (name, rows, mul, add) in [
-        ("RX-90", RX_90, 243, 225),
-        ("PUMA 560", PUMA_560, 269, 253),
-        ("generic 6R", generic_6r(), 412, 347),
-    ] {
-        let counted = count(&arm(&rows), "inverse_dynamics", &[]);
-        assert!(
-            counted.mul <= mul && counted.add <= add,
-            "{name}: {counted}"
-        );
-    }
-}
-
 #[test]
 fn the_comparison_has_the_counts_of_arms() {
     let page = pages::comparison();
@@ -151,6 +134,65 @@ fn the_comparison_has_the_counts_of_arms() {
             counted[2].div
         ));
     }
+    let of = |rows: &[Row]| count(&arm(rows), "inverse_dynamics", &[]);
+    let [rx, generic] = [of(&RX_90), of(&generic_6r())];
+    pages::performance().says(&format!(
+        "`kane` needs {} and {}, and {} and {}.",
+        rx.mul, rx.add, generic.mul, generic.add
+    ));
+}
+
+#[test]
+fn the_page_of_performance_has_what_ways_to_derivatives_are_worth() {
+    let of = |name: &str, base: Base, function: &str, without: &[Technique]| {
+        count(&robot(name, base), function, without).total()
+    };
+    let columns = "d(forward_dynamics)/d(q, u, tau)";
+    let written_out = [Technique::Lockstep];
+    let [panda, solo12, talos] = [
+        ("panda", Base::Fixed),
+        ("solo12", Base::Free),
+        ("talos", Base::Free),
+    ]
+    .map(|(name, base)| of(name, base, columns, &written_out));
+    pages::performance().says(&format!(
+        "Written out one by one, panda needs {panda} operations, solo12 {solo12} and talos {talos}, but"
+    ));
+    let fewer = |function: &str| {
+        let [with, without] = [&[][..], &[Technique::DirectDerivatives]]
+            .map(|without| of("panda", Base::Fixed, function, without) as f64);
+        format!("{:.0}", 100.0 * (1.0 - with / without))
+    };
+    let [along, gradient, second] = ["jvp", "vjp", "hessian"]
+        .map(|kind| fewer(&format!("{kind}(forward_dynamics; q, u, tau)")));
+    assert_eq!(along, gradient);
+    pages::performance().says(&format!(
+        "for a Panda, {along} % fewer operations in products and {second} % fewer in second derivatives."
+    ));
+    let forces = "d(inverse_dynamics)/d(q, u, u_dot)";
+    pages::performance().says(&format!(
+        "Solo12's `{forces}` takes {} operations",
+        of("solo12", Base::Free, forces, &[])
+    ));
+    let times = [
+        ("ur5", Base::Fixed),
+        ("panda", Base::Fixed),
+        ("solo12", Base::Free),
+        ("talos", Base::Free),
+    ]
+    .map(|(name, base)| {
+        let with = "inverse_dynamics+vjp(inverse_dynamics; q, u, u_dot)";
+        let [with, alone] = [with, "inverse_dynamics"].map(|own| of(name, base, own, &[]));
+        with as f64 / alone as f64
+    });
+    let (least, most) = times
+        .iter()
+        .fold((times[0], times[0]), |(least, most), own| {
+            (least.min(*own), most.max(*own))
+        });
+    pages::performance().says(&format!(
+        "which needs {least:.1} to {most:.1} times the operations of inverse dynamics alone"
+    ));
 }
 
 /// What grows faster than linearly with a chain shows here first.

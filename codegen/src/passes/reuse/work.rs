@@ -154,9 +154,18 @@ impl<'a> Work<'a> {
         counts
     }
 
-    /// What all costs.
+    /// All operations, as users count them: an angle has two, whether both its sine and its cosine are needed or one.
     pub(super) fn total(&self) -> usize {
-        self.order.iter().map(|id| self.cost(*id)).sum()
+        let mut angles = BTreeSet::new();
+        let mut n = 0;
+        for &id in &self.order {
+            match self.graph.node(id) {
+                Node::Number(_) | Node::Input(_) | Node::Abs(_) => {}
+                Node::Sin(angle) | Node::Cos(angle) => _ = angles.insert(angle),
+                Node::Add(..) | Node::Mul(..) | Node::Div(..) => n += 1,
+            }
+        }
+        n + 2 * angles.len()
     }
 
     /// What falls away of its body with the value, itself first, and what that costs; of much, the first part.

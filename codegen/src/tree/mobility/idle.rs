@@ -49,7 +49,7 @@ pub fn idle_motions(tree: &Tree, most: usize) -> Vec<Vec<(BodyId, CoordinateName
 pub(crate) fn holdable(tree: &Tree, most: usize) -> Vec<(BodyId, CoordinateName)> {
     let mut holdable = Vec::new();
     let mut known = BTreeSet::new();
-    for motion in idle_motions(&with_drawn_parameters(tree), most) {
+    for motion in idle_motions(&with_other_nominals(tree), most) {
         let is_new = |(body, coordinate): &&(BodyId, CoordinateName)| {
             !known.contains(&(*body, coordinate.index()))
         };
@@ -63,7 +63,7 @@ pub(crate) fn holdable(tree: &Tree, most: usize) -> Vec<(BodyId, CoordinateName)
 }
 
 /// The tree with other values, none of them zero, of what is set at run time.
-fn with_drawn_parameters(tree: &Tree) -> Tree {
+fn with_other_nominals(tree: &Tree) -> Tree {
     let units = Units::of(tree);
     let mut random = Random::new(1);
     let parameters = tree.parameters.iter().map(|parameter| {
