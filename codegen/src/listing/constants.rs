@@ -78,10 +78,10 @@ pub enum Data<'a> {
 }
 
 /// What names of coordinates mean that end in a letter and a number.
-pub(crate) const COORDINATES: &str = "theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.";
+pub(crate) const COORDINATES: &str = "theta in rad, about the x, y, z of the joint's axes, body-fixed in the order 1-2-3; e of a unit quaternion, scalar first, from the body's axes to the lower body's; s in m, along the joint's axes in the lower body.";
 
 /// The same of speeds.
-pub(crate) const SPEEDS: &str = "w is a component of the relative angular velocity.";
+pub(crate) const SPEEDS: &str = "w is a component of the angular velocity relative to the lower body, along the joint's axes as they move with the body: the body's own, if the joint has none.";
 
 impl Facts {
     /// The constants of every module, but for its hash and costs.

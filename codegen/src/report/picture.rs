@@ -1,5 +1,7 @@
 //! The tree as text.
 
+use std::ops::Range;
+
 use crate::{
     geometry::{IDENTITY, apply},
     id::BodyId,
@@ -64,17 +66,16 @@ fn lines(tree: &Tree, is_narrow: bool) -> String {
     }
 }
 
-/// The only motion of a joint, along an axis that its body keeps.
-fn single(joint: &Joint) -> Option<usize> {
+/// The only motion of a joint among these, along an axis that its body keeps.
+fn single(joint: &Joint, mut motions: Range<usize>) -> Option<usize> {
     let moves = |motion: &usize| match joint.coordinate_of(*motion) {
         Some(Coordinate::Locked(value)) => value != 0.0,
         Some(_) => true,
         None => false,
     };
     let is_turned = joint.angular_velocity().is_some();
-    let mut moving = (0..6).filter(moves);
-    let single = moving.next().filter(|_| !is_turned);
-    single.filter(|_| moving.next().is_none())
+    let single = motions.find(moves).filter(|_| !is_turned);
+    single.filter(|_| !motions.any(|motion| moves(&motion)))
 }
 
 /// About or along what a body moves, in its own axes.
@@ -110,15 +111,18 @@ fn line(tree: &Tree, id: BodyId, coordinates: &[String]) -> String {
         let turning = own.filter(|kind| !kind.is_translation());
         free.extend(turning.map(|kind| kind.name().to_owned()));
     }
-    let single = single(joint);
+    let (single, turning) = (single(joint, 0..6), single(joint, 0..3));
     for (motion, name) in names.into_iter().enumerate() {
         let is_single = single == Some(motion);
         let is_turned = body.pose.rotation != IDENTITY;
-        let axis = match (is_single, joint.is_named) {
+        let has_axis = (is_single || turning == Some(motion)) && is_turned;
+        let axis = if is_single && joint.is_named {
             // A coordinate is called as its joint: what it is called within would say nothing.
-            (true, true) => direction(body, motion),
-            (true, false) if is_turned => format!("{name} {}", direction(body, motion)),
-            _ => name.to_owned(),
+            direction(body, motion)
+        } else if has_axis {
+            format!("{name} {}", direction(body, motion))
+        } else {
+            name.to_owned()
         };
         match joint.coordinate_of(motion) {
             Some(Coordinate::Free { .. }) => free.push(axis),

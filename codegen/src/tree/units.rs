@@ -96,7 +96,8 @@ fn angular_limits(body: &WrittenBody) -> Vec<&Limits> {
     }
 }
 
-fn is_large(limit: f64) -> bool {
+/// True for what no angle in radians is, but one in degrees may be.
+pub(crate) fn is_large(limit: f64) -> bool {
     limit.abs() > TWO_TURNS && limit.abs() <= MOST_DEGREES
 }
 

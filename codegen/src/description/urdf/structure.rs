@@ -69,7 +69,8 @@ pub(super) fn hang(
         .filter(|link| joint_of[*link].is_none())
         .collect();
     // A link that a joint fails to name is a root without meaning it.
-    if ends.all_found && roots.len() > 1 {
+    // A link with two parents may have the one that another should have.
+    if ends.all_found && is_single && roots.len() > 1 {
         reader.faults.push(several_roots(&roots, links));
     }
     let is_tree = ends.all_found && is_single && cycles.is_empty();

@@ -110,7 +110,7 @@ pub fn advice(name: &str) -> String {
     } else if name == "sin_cos" {
         "a module has it beside functions such as `bias(sin_cos)`".to_owned()
     } else if is_list(name) {
-        "`+` joins functions in one; several have commas between them".to_owned()
+        "`+` joins functions in one; where several may stand, commas are between them".to_owned()
     } else if is_set(name) {
         "it means several functions, and stands alone; for several in one write a sum such as `mass_matrix+bias`"
             .to_owned()

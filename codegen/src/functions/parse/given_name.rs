@@ -43,7 +43,7 @@ fn why_not(name: &str) -> Option<String> {
     } else if TAKEN.contains(&name) || C_STRUCTURES.contains(&name) {
         "a module has something of that name"
     } else if C_RUNTIME.contains(&name) {
-        "C has a function of that name"
+        "the C interface has a function of that name"
     } else {
         let mut infixes = INFIXES.into_iter();
         let infix = infixes.find(|infix| name.contains(infix))?;

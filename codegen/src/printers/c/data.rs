@@ -119,8 +119,8 @@ typedef struct kane_base_term {
 ";
 
 const BLOCK: &str = "\
-/// Columns that belong to one body and to speeds in a row, all counted from 0: the body whose velocity it is, the partition
-/// among those of all bodies, the first speed, how many speeds and columns, and the place of the first column.
+/// Columns that belong to one body and to speeds in a row, all counted from 0: the body whose velocity it is, the partition,
+/// of body J's angles J and of its translations NB + J, the first speed, how many speeds and columns, and the place of the first column.
 typedef struct kane_block {
     int body;
     int partition;

@@ -1,6 +1,9 @@
 //! The header: what a module's functions are in C, from the table that the file with their Rust side is written from.
 
-use std::{borrow::Cow, collections::BTreeSet};
+use std::{
+    borrow::Cow,
+    collections::{BTreeMap, BTreeSet},
+};
 
 use super::{
     data,
@@ -12,7 +15,7 @@ use super::{
 use crate::{
     functions::{Access, Declared, Element, Length, Signature},
     listing::{
-        Facts, Module, Size,
+        Facts, Joint, JointChart, Module, Size,
         constants::{COORDINATES, SPEEDS},
         nominal,
     },
@@ -88,8 +91,8 @@ struct Places<'a> {
     kind: &'static str,
     doc: Cow<'static, str>,
     names: Vec<&'a str>,
-    /// The unit of each, where they have any.
-    units: &'a [&'static str],
+    /// What is said of each, where something is.
+    notes: Vec<String>,
 }
 
 impl Header<'_> {
@@ -147,32 +150,32 @@ impl Header<'_> {
                 kind: "BODY",
                 doc: "The bodies.".into(),
                 names: bodies.collect(),
-                units: &[],
+                notes: Vec::new(),
             },
             Places {
                 kind: "Q",
-                doc: format!("The coordinates: {COORDINATES}").into(),
+                doc: format!("The coordinates: {COORDINATES} Axes have the lower body's components.").into(),
                 names: facts.coordinates.iter().map(String::as_str).collect(),
-                units: &facts.units.coordinates,
+                notes: notes(&facts.units.coordinates, &axes(&facts.joints)),
             },
             Places {
                 kind: "U",
                 doc: format!("The speeds; {SPEEDS}").into(),
                 names: facts.speeds.iter().map(String::as_str).collect(),
-                units: &facts.units.speeds,
+                notes: notes(&facts.units.speeds, &BTreeMap::new()),
             },
             Places {
                 kind: "PARAMETER",
                 doc: "The values set at run time, as columns of derivatives by all of them.".into(),
                 names: parameters.collect(),
-                units: &[],
+                notes: Vec::new(),
             },
             Places {
                 kind: "ANGLE",
                 doc: "The angles among the coordinates, in the order of their sines and cosines."
                     .into(),
                 names: angles.map(|angle| angle.name.as_str()).collect(),
-                units: &[],
+                notes: Vec::new(),
             },
         ];
         // An empty enumeration is none in C.
@@ -183,19 +186,16 @@ impl Header<'_> {
                 kind,
                 doc,
                 names,
-                units,
+                notes,
             } = list;
             let last = names.len() - 1;
             let names = names.into_iter().enumerate();
             let names = names.map(|(place, name)| {
                 let name = taken.take(format!("{kind}_{}", name.to_uppercase()));
                 let comma = if place < last { "," } else { "" };
-                let unit = units.get(place);
-                let unit = unit.map_or_else(String::new, |unit| match *unit {
-                    "1" => " // no unit".to_owned(),
-                    unit => format!(" // {unit}"),
-                });
-                format!("    {}{name} = {place}{comma}{unit}\n", self.prefix)
+                let note = notes.get(place);
+                let note = note.map_or_else(String::new, |note| format!(" // {note}"));
+                format!("    {}{name} = {place}{comma}{note}\n", self.prefix)
             });
             format!("/// {doc}\nenum {{\n{}}};\n", names.collect::<String>())
         });
@@ -349,4 +349,35 @@ fn comment<S: AsRef<str>>(mark: &str, lines: impl IntoIterator<Item = S>) -> Str
     lines
         .map(|line| format!("{mark} {}", line.as_ref()).trim_end().to_owned() + "\n")
         .collect()
+}
+
+/// The units of what an enumeration names, and what is said of it beside.
+fn notes(units: &[&'static str], beside: &BTreeMap<usize, String>) -> Vec<String> {
+    let units = units.iter().enumerate();
+    let notes = units.map(|(place, unit)| {
+        let unit = if *unit == "1" { "no unit" } else { unit };
+        let beside = beside.get(&place).map_or("", String::as_str);
+        format!("{unit}{beside}")
+    });
+    notes.collect()
+}
+
+/// About or along which axis of the lower body coordinates are, by their places: the only angle of a joint, and all translations.
+fn axes(joints: &[Joint]) -> BTreeMap<usize, String> {
+    let of_joint = |joint: &Joint| {
+        let angles = joint.q[..3].iter().flatten().count();
+        let held = joint.locked.iter();
+        let held = held.filter(|(name, _)| name.starts_with("theta")).count();
+        let turns_once = joint.chart == JointChart::AngleRates && angles + held == 1;
+        let axis = move |word: &str, axis: usize, place: Option<usize>| {
+            let [x, y, z] = joint.axes[axis].map(|entry| (entry * 1e6).round() / 1e6 + 0.0);
+            Some((place?, format!(", {word} ({x}, {y}, {z})")))
+        };
+        let about = (0..3)
+            .filter(|_| turns_once)
+            .filter_map(|own| axis("about", own, joint.q[own]));
+        let along = (0..3).filter_map(|own| axis("along", own, joint.q[4 + own]));
+        about.chain(along).collect::<Vec<_>>()
+    };
+    joints.iter().flat_map(of_joint).collect()
 }

@@ -14,10 +14,11 @@ pub(crate) fn symbol(module: &str, function: &str, scalar: &str) -> String {
 }
 
 /// What callers have to keep to.
-pub(crate) const RULES: [&str; 9] = [
+pub(crate) const RULES: [&str; 10] = [
     "No function allocates, keeps state, fails, or checks what it is given. Several threads may call them at once, with the same",
     "prepared parameters too. Matrices are row after row, and what bodies have is body after body. Units are kg, m, s, rad and N.",
     "A matrix is one array, `double m[N * N]`; of two dimensions it is passed as `(double *)m`.",
+    "Numbers of equations are those of `docs/equations.md` in the repository of `kane`.",
     "",
     "The behaviour is undefined where",
     "- a pointer is null, not aligned as its type is, or leads to fewer elements than are declared;",

@@ -10,6 +10,7 @@ use crate::diagnostic::{Diagnostic, Escaped, NearNames};
 use crate::tree::changes::Changes;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 use crate::tree::names::{self, joint_name, joint_named, shown, shown_joint};
+use crate::tree::units::is_large;
 
 /// The joints with what the user locks and removes held.
 pub(crate) fn change(
@@ -150,8 +151,13 @@ fn locked(
                 locked.insert((body, motion), value + 0.0);
                 let (kind, shown) = (CoordinateName::NAMES[motion], shown(description, body));
                 let unit = if motion < 3 { "rad" } else { "m" };
-                let at = format!("`{kind}` of {shown} is locked at {value:?} {unit}");
-                let subject = format!("`{kind}` of {shown} at {value:?} {unit}");
+                let joint = description.bodies[body].joint.name.as_ref();
+                let who = match joint.filter(|joint| joint.value == *name) {
+                    Some(joint) => format!("joint `{}`", joint.value.escaped()),
+                    None => format!("`{kind}` of {shown}"),
+                };
+                let at = format!("{who} is locked at {value:?} {unit}");
+                let subject = format!("{who} at {value:?} {unit}");
                 let follows = description.bodies[body].joint.mimic.is_some();
                 let cut = if follows {
                     ", and follows no other joint any more"
@@ -159,6 +165,10 @@ fn locked(
                     ""
                 };
                 findings.push(match beyond(description, (body, motion), *value) {
+                    None if motion < 3 && is_large(*value) => {
+                        Diagnostic::warning(format!("{at}{cut}; is it in degrees?"))
+                            .one_of("motions are locked at what looks like degrees", subject)
+                    }
                     None if follows => Diagnostic::warning(format!("{at}{cut}"))
                         .one_of("motions that followed others are locked", subject),
                     None => Diagnostic::note(at).one_of("motions are locked", subject),

@@ -40,8 +40,8 @@ use crate::cli::{
 /// `blocks`, which gives for each nonzero partition its body, partition, first speed, number of columns and first place in
 /// `columns`, all from 0. What is packed has `places` beside it, the row and column of each entry, and packed Jacobians the `speeds` of
 /// their columns. Factors also have the `order` of elimination: an entry of L is in the row of that of its two speeds which comes first there.
-/// `base_regressor` has the `base_parameters` of its columns. For several functions in one, such as `mass_matrix+bias`, the result is an
-/// object of their outputs, in the order asked for.
+/// `base_regressor` has the `base_parameters` of its columns. Where there are several outputs, as of `jacobian(tool0)`, `d(bias)/d(q, u)` or
+/// `mass_matrix+bias`, the result is an object of them by name, in order.
 ///
 /// If the `kane.toml` in the model's folder or the nearest one above lists the model, the options of the first system that does so
 /// with this function hold, or else of the first; options on the command line override them.
@@ -274,7 +274,12 @@ fn read_state(path: &Path) -> Result<Source, Error> {
         let is_pipe = path
             .metadata()
             .is_ok_and(|file| !file.is_file() && !file.is_dir());
-        let text = if is_pipe {
+        let is_state = path.as_os_str().as_encoded_bytes().starts_with(b"{");
+        let text = if is_state {
+            Err(io::Error::other(
+                "it is no file; `--state -` reads the state from standard input",
+            ))
+        } else if is_pipe {
             Err(io::Error::other(
                 "it is no regular file; `--state -` reads standard input",
             ))

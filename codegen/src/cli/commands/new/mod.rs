@@ -63,7 +63,7 @@ const TAKEN: [&str; 29] = [
 /// Create a package with a model, its generated module, a control loop and a test
 ///
 /// The folder NAME gets `Cargo.toml`, `kane.toml`, the model in `models/`, the generated module with its tests and a control loop in
-/// `src/`, and without --kane a GitHub workflow. `cargo run` and `cargo test` work at once. With --abi c the control loop is a
+/// `src/`, and without --kane a GitHub workflow and the crate `kane` from crates.io. Then `cargo run` and `cargo test` work at once. With --abi c the control loop is a
 /// C program with a Makefile, and the functions are a static library; `make run` works at once. A model that needs other files, such
 /// as meshes, is converted to kane's TOML format.
 #[derive(Args, Debug)]
