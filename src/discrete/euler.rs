@@ -8,7 +8,8 @@ use super::derivatives::{Change, StepByParameters, StepDerivatives, Variable};
 use super::reached::{Reached, move_on};
 use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
-    ForwardDynamicsJvp, ForwardDynamicsVjp,
+    ForwardDynamicsJvp, ForwardDynamicsParametersJvp, ForwardDynamicsParametersVjp,
+    ForwardDynamicsVjp,
 };
 use crate::vector::{add_identity, plus, plus_scaled, scale_rows, scaled, set_scaled_rows, zero};
 use crate::{Array, Real, System};
@@ -147,12 +148,48 @@ pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
     system: &S,
     tau: &S::U,
     dt: R,
-    (q, u): (&mut S::Q, &mut S::U),
+    state: (&mut S::Q, &mut S::U),
     (change, tau_change): (&mut Change<S::U>, &S::U),
+) {
+    forward_by(system, tau, dt, state, change, |(q, u), own, du_dot| {
+        system.jvp_forward_dynamics_q_u_tau(q, u, tau, &own.q, &own.u, tau_change, du_dot);
+    });
+}
+
+/// Like [`forward`], if the values set at run time change too, by `parameters_change`.
+pub fn forward_with_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsParametersJvp<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    state: (&mut S::Q, &mut S::U),
+    (change, tau_change, parameters_change): (&mut Change<S::U>, &S::U, &S::Values),
+) {
+    forward_by(system, tau, dt, state, change, |(q, u), own, du_dot| {
+        system.jvp_forward_dynamics_q_u_tau_parameters(
+            q,
+            u,
+            tau,
+            &own.q,
+            &own.u,
+            tau_change,
+            parameters_change,
+            du_dot,
+        );
+    });
+}
+
+/// `jvp` tells how accelerations change with the state.
+fn forward_by<R: Real, S: ForwardDynamics<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    (q, u): (&mut S::Q, &mut S::U),
+    change: &mut Change<S::U>,
+    jvp: impl Fn((&S::Q, &S::U), &Change<S::U>, &mut S::U),
 ) {
     let (mut u_dot, mut du_dot) = (zero(), zero());
     system.forward_dynamics(q, u, tau, &mut u_dot);
-    system.jvp_forward_dynamics_q_u_tau(q, u, tau, &change.q, &change.u, tau_change, &mut du_dot);
+    jvp((q, u), change, &mut du_dot);
     let moving = Reached::<R, S>::by(&moved(system, dt, q, u, &u_dot));
     *change = changed(&moving, dt, change, &du_dot);
 }
@@ -165,24 +202,57 @@ pub fn adjoint<R: Real, S: ForwardDynamics<R> + ForwardDynamicsVjp<R>>(
     system: &S,
     tau: &S::U,
     dt: R,
-    (q, u): (&S::Q, &S::U),
+    state: (&S::Q, &S::U),
     (multiplier, tau_gradient): (&mut Change<S::U>, &mut S::U),
+) {
+    adjoint_by(system, tau, dt, state, multiplier, |(q, u), of, own| {
+        let Change { q: of_q, u: of_u } = own;
+        system.vjp_forward_dynamics_q_u_tau(q, u, tau, of, of_q, of_u, tau_gradient);
+    });
+}
+
+/// Like [`adjoint`]; also overwrites `parameters_gradient` with the gradient by all values set at run time, in terms of [`by_parameters`]
+/// `multiplier` times these derivatives.
+pub fn adjoint_with_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsParametersVjp<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    state: (&S::Q, &S::U),
+    (multiplier, tau_gradient, parameters_gradient): (&mut Change<S::U>, &mut S::U, &mut S::Values),
+) {
+    adjoint_by(system, tau, dt, state, multiplier, |(q, u), of, own| {
+        system.vjp_forward_dynamics_q_u_tau_parameters(
+            q,
+            u,
+            tau,
+            of,
+            &mut own.q,
+            &mut own.u,
+            tau_gradient,
+            parameters_gradient,
+        );
+    });
+}
+
+/// `vjp` writes the gradient of the accelerations by the state.
+fn adjoint_by<R: Real, S: ForwardDynamics<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    (q, u): (&S::Q, &S::U),
+    multiplier: &mut Change<S::U>,
+    vjp: impl FnOnce((&S::Q, &S::U), &S::U, &mut Change<S::U>),
 ) {
     let mut u_dot = zero();
     system.forward_dynamics(q, u, tau, &mut u_dot);
     let direction = moved(system, dt, &mut { *q }, &mut { *u }, &u_dot);
     let (of_q, of_direction) = Reached::<R, S>::by(&direction).back(&multiplier.q);
     let of_u = plus_scaled(&multiplier.u, dt, &of_direction);
-    let (mut q_gradient, mut u_gradient) = (zero(), zero());
-    system.vjp_forward_dynamics_q_u_tau(
-        q,
-        u,
-        tau,
-        &scaled(dt, &of_u),
-        &mut q_gradient,
-        &mut u_gradient,
-        tau_gradient,
-    );
-    multiplier.q = plus(&of_q, &q_gradient);
-    multiplier.u = plus(&of_u, &u_gradient);
+    let mut own = Change {
+        q: zero(),
+        u: zero(),
+    };
+    vjp((q, u), &scaled(dt, &of_u), &mut own);
+    multiplier.q = plus(&of_q, &own.q);
+    multiplier.u = plus(&of_u, &own.u);
 }

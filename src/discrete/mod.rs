@@ -18,6 +18,9 @@
 //! | `linearized_and_by_parameters` | both, without the evaluation of the dynamics that `by_parameters` needs alone | what both need; `euler` without `forward_dynamics` |
 //! | `forward` | the step, and `A` and `B` times one change | `forward_dynamics`, `jvp(forward_dynamics; q, u, tau)` |
 //! | `adjoint` | one multiplier times `A` and `B`, backward over the step | `forward_dynamics`, `vjp(forward_dynamics; q, u, tau)` |
+//! | `forward_with_parameters`, `adjoint_with_parameters` | the same, also by values set at run time | `forward_dynamics`, and `jvp(..)` or `vjp(forward_dynamics; q, u, tau, parameters)` |
+//!
+//! `step`, `linearized`, `linearized_and_by_parameters` and the two `forward` functions move `q` and `u`; the others leave them.
 //!
 //! The derivatives are those of the computed step, up to rounding, not those of the exact motion. `forward` and `adjoint` build no matrix,
 //! so the gradient of a long motion costs a few times as much as the motion. The functions check and allocate nothing. Matrices are on the

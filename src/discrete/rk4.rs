@@ -8,7 +8,8 @@ use super::derivatives::{Change, StepByParameters, StepDerivatives, Variable};
 use super::reached::{Reached, move_on};
 use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
-    ForwardDynamicsJvp, ForwardDynamicsVjp,
+    ForwardDynamicsJvp, ForwardDynamicsParametersJvp, ForwardDynamicsParametersVjp,
+    ForwardDynamicsVjp,
 };
 use crate::manifold::{q_plus, rate, rate::RateMap};
 use crate::vector::{
@@ -286,8 +287,44 @@ pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
     system: &S,
     tau: &S::U,
     dt: R,
-    (q, u): (&mut S::Q, &mut S::U),
+    state: (&mut S::Q, &mut S::U),
     (change, tau_change): (&mut Change<S::U>, &S::U),
+) {
+    forward_by(system, tau, dt, state, change, |(q, u), own, du_dot| {
+        system.jvp_forward_dynamics_q_u_tau(q, u, tau, &own.q, &own.u, tau_change, du_dot);
+    });
+}
+
+/// Like [`forward`], if the values set at run time change too, by `parameters_change`.
+pub fn forward_with_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsParametersJvp<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    state: (&mut S::Q, &mut S::U),
+    (change, tau_change, parameters_change): (&mut Change<S::U>, &S::U, &S::Values),
+) {
+    forward_by(system, tau, dt, state, change, |(q, u), own, du_dot| {
+        system.jvp_forward_dynamics_q_u_tau_parameters(
+            q,
+            u,
+            tau,
+            &own.q,
+            &own.u,
+            tau_change,
+            parameters_change,
+            du_dot,
+        );
+    });
+}
+
+/// `jvp` tells how accelerations change with the state.
+fn forward_by<R: Real, S: ForwardDynamics<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    (q, u): (&mut S::Q, &mut S::U),
+    change: &mut Change<S::U>,
+    jvp: impl Fn((&S::Q, &S::U), &Change<S::U>, &mut S::U),
 ) {
     let (mut d_rate, mut u_rate) = (zero(), zero());
     let (mut d_change, mut u_change) = (zero(), change.u);
@@ -298,15 +335,7 @@ pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
             u: plus_scaled(&change.u, stage.way, &u_rate),
         };
         d_rate = rate::changed::<R, S>((&stage.d, &stage.u), (&d, &own.u));
-        system.jvp_forward_dynamics_q_u_tau(
-            &stage.q,
-            &stage.u,
-            tau,
-            &own.q,
-            &own.u,
-            tau_change,
-            &mut u_rate,
-        );
+        jvp((&stage.q, &stage.u), &own, &mut u_rate);
         d_change = plus_scaled(&d_change, stage.weight, &d_rate);
         u_change = plus_scaled(&u_change, stage.weight, &u_rate);
         driven(system, tau, stage)
@@ -327,8 +356,53 @@ pub fn adjoint<R: Real, S: ForwardDynamics<R> + ForwardDynamicsVjp<R>>(
     system: &S,
     tau: &S::U,
     dt: R,
-    (q, u): (&S::Q, &S::U),
+    state: (&S::Q, &S::U),
     (multiplier, tau_gradient): (&mut Change<S::U>, &mut S::U),
+) {
+    *tau_gradient = zero();
+    adjoint_by(system, tau, dt, state, multiplier, |(q, u), of, own| {
+        let Change { q: of_q, u: of_u } = own;
+        let mut of_tau = zero();
+        system.vjp_forward_dynamics_q_u_tau(q, u, tau, of, of_q, of_u, &mut of_tau);
+        *tau_gradient = plus(tau_gradient, &of_tau);
+    });
+}
+
+/// Like [`adjoint`]; also overwrites `parameters_gradient` with the gradient by all values set at run time, in terms of [`by_parameters`]
+/// `multiplier` times these derivatives.
+pub fn adjoint_with_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsParametersVjp<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    state: (&S::Q, &S::U),
+    (multiplier, tau_gradient, parameters_gradient): (&mut Change<S::U>, &mut S::U, &mut S::Values),
+) {
+    (*tau_gradient, *parameters_gradient) = (zero(), zero());
+    adjoint_by(system, tau, dt, state, multiplier, |(q, u), of, own| {
+        let (mut of_tau, mut of_values) = (zero(), zero());
+        system.vjp_forward_dynamics_q_u_tau_parameters(
+            q,
+            u,
+            tau,
+            of,
+            &mut own.q,
+            &mut own.u,
+            &mut of_tau,
+            &mut of_values,
+        );
+        *tau_gradient = plus(tau_gradient, &of_tau);
+        *parameters_gradient = plus(parameters_gradient, &of_values);
+    });
+}
+
+/// `vjp` writes the gradient of a stage's accelerations by its state.
+fn adjoint_by<R: Real, S: ForwardDynamics<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    (q, u): (&S::Q, &S::U),
+    multiplier: &mut Change<S::U>,
+    mut vjp: impl FnMut((&S::Q, &S::U), &S::U, &mut Change<S::U>),
 ) {
     let mut stages = [None; 4];
     let mut kept = stages.iter_mut();
@@ -343,26 +417,19 @@ pub fn adjoint<R: Real, S: ForwardDynamics<R> + ForwardDynamicsVjp<R>>(
         q: of_q,
         u: multiplier.u,
     };
-    *tau_gradient = zero();
     // What the stage after has of the rates of its own before.
     let (mut of_d_rate, mut of_u_rate) = (zero(), zero());
     for stage in stages.iter().flatten().rev() {
         let of_u_dot = plus_scaled(&of_u_rate, stage.weight, &multiplier.u);
         let of_d_dot = plus_scaled(&of_d_rate, stage.weight, &d_after);
-        let (mut q_gradient, mut u_gradient, mut own) = (zero(), zero(), zero());
-        system.vjp_forward_dynamics_q_u_tau(
-            &stage.q,
-            &stage.u,
-            tau,
-            &of_u_dot,
-            &mut q_gradient,
-            &mut u_gradient,
-            &mut own,
-        );
-        *tau_gradient = plus(tau_gradient, &own);
+        let mut own = Change {
+            q: zero(),
+            u: zero(),
+        };
+        vjp((&stage.q, &stage.u), &of_u_dot, &mut own);
         let (of_d, of_u) = rate::back::<R, S>((&stage.d, &stage.u), &of_d_dot);
-        let (own_q, own_d) = Reached::<R, S>::by(&stage.d).back(&q_gradient);
-        let of_u = plus(&of_u, &u_gradient);
+        let (own_q, own_d) = Reached::<R, S>::by(&stage.d).back(&own.q);
+        let of_u = plus(&of_u, &own.u);
         before.q = plus(&before.q, &own_q);
         before.u = plus(&before.u, &of_u);
         of_d_rate = scaled(stage.way, &plus(&of_d, &own_d));

@@ -99,7 +99,8 @@ fn with_help(fault: Diagnostic, value: &str) -> Diagnostic {
     if value.contains("${") || value.contains("$(") {
         fault.help("expand the file first: `xacro arm.urdf.xacro > arm.urdf`")
     } else if value.contains(',') {
-        fault.help("numbers have a decimal point and stand with spaces between them, without commas")
+        fault
+            .help("numbers have a decimal point and stand with spaces between them, without commas")
     } else {
         fault
     }

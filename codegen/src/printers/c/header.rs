@@ -154,7 +154,10 @@ impl Header<'_> {
             },
             Places {
                 kind: "Q",
-                doc: format!("The coordinates: {COORDINATES} Axes have the lower body's components.").into(),
+                doc: format!(
+                    "The coordinates: {COORDINATES} Axes have the lower body's components."
+                )
+                .into(),
                 names: facts.coordinates.iter().map(String::as_str).collect(),
                 notes: notes(&facts.units.coordinates, &axes(&facts.joints)),
             },

@@ -343,3 +343,38 @@ fn where_speeds_are_rates_the_step_is_the_ordinary_one() {
     assert_close("q", &found.0, &q, ROUNDED);
     assert_close("u", &found.1, &u, ROUNDED);
 }
+
+#[test]
+fn products_along_values_set_at_run_time_are_those_with_whole_derivatives() {
+    let system = tumbler::Prepared::<f64>::nominal();
+    let at = drawn(&system, 12, 0.5, 0.1);
+    let mut random = Random::new(13);
+    for scheme in Scheme::ALL {
+        let what = format!("{scheme:?}");
+        let mut by_values = StepByParameters::filled([[f64::NAN; 2]; 10]);
+        scheme.by_parameters(&system, &at, &mut by_values);
+        let rows: Vec<[f64; 2]> = by_values.q.into_iter().chain(by_values.u).collect();
+        let along = random_change(&mut random);
+        let values = [random.symmetric(), random.symmetric()];
+        let (_, _, alone) = scheme.forward(&system, &at, along);
+        let expected: Vec<f64> = flat(&alone)
+            .iter()
+            .zip(&rows)
+            .map(|(change, row)| change + dot(row, &values))
+            .collect();
+        let found = scheme.forward_with_parameters(&system, &at, (along, values));
+        assert_close(&what, &flat(&found), &expected, ROUNDED);
+        let (multiplier, _) = random_change(&mut random);
+        let (before, of_tau) = scheme.adjoint(&system, &at, multiplier);
+        let (found, found_of_tau, of_values) =
+            scheme.adjoint_with_parameters(&system, &at, multiplier);
+        assert_close(&what, &flat(&found), &flat(&before), ROUNDED);
+        assert_close(&what, &found_of_tau, &of_tau, ROUNDED);
+        let weights = flat(&multiplier);
+        let expected = [0, 1].map(|value| {
+            let column: Vec<f64> = rows.iter().map(|row| row[value]).collect();
+            dot(&column, &weights)
+        });
+        assert_close(&what, &of_values, &expected, ROUNDED);
+    }
+}

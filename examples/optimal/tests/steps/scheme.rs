@@ -1,9 +1,11 @@
 //! Both kinds of steps, as tests call them.
 
+use kane::Array;
 use kane::discrete::{Change, StepByParameters, StepDerivatives, euler, rk4};
 use kane::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
-    ForwardDynamicsJvp, ForwardDynamicsVjp,
+    ForwardDynamicsJvp, ForwardDynamicsParametersJvp, ForwardDynamicsParametersVjp,
+    ForwardDynamicsVjp,
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -116,5 +118,41 @@ impl Scheme {
             Self::Rk4 => rk4::adjoint(system, tau, *dt, (q, u), multipliers),
         }
         (multiplier, gradient)
+    }
+
+    pub(crate) fn forward_with_parameters<
+        S: ForwardDynamics<f64> + ForwardDynamicsParametersJvp<f64>,
+    >(
+        self,
+        system: &S,
+        Driven { q, u, tau, dt }: &Driven<S::Q, S::U>,
+        ((mut change, tau_change), values_change): ((Change<S::U>, S::U), S::Values),
+    ) -> Change<S::U> {
+        let (mut q, mut u) = (*q, *u);
+        let state = (&mut q, &mut u);
+        let changes = (&mut change, &tau_change, &values_change);
+        match self {
+            Self::Euler => euler::forward_with_parameters(system, tau, *dt, state, changes),
+            Self::Rk4 => rk4::forward_with_parameters(system, tau, *dt, state, changes),
+        }
+        change
+    }
+
+    pub(crate) fn adjoint_with_parameters<
+        S: ForwardDynamics<f64> + ForwardDynamicsParametersVjp<f64>,
+    >(
+        self,
+        system: &S,
+        Driven { q, u, tau, dt }: &Driven<S::Q, S::U>,
+        mut multiplier: Change<S::U>,
+    ) -> (Change<S::U>, S::U, S::Values) {
+        let (mut gradient, mut of_values) = (*u, S::Values::filled(f64::NAN));
+        let all = (&mut multiplier, &mut gradient, &mut of_values);
+        let state = (q, u);
+        match self {
+            Self::Euler => euler::adjoint_with_parameters(system, tau, *dt, state, all),
+            Self::Rk4 => rk4::adjoint_with_parameters(system, tau, *dt, state, all),
+        }
+        (multiplier, gradient, of_values)
     }
 }
