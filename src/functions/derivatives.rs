@@ -33,7 +33,7 @@ pub trait ForwardDynamicsDerivatives<R: Real>: System<R> {
 /// [`ForwardDynamics`](super::ForwardDynamics) and its [derivatives](ForwardDynamicsDerivatives), which share their work:
 /// `"forward_dynamics + d(forward_dynamics)/d(q, u, tau)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`; name it in `functions`, alone and not in a sum, and generate again"
+    message = "`{Self}` was generated without `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`; name this sum in `functions`, in this order and with no other part, and generate again"
 )]
 pub trait ForwardDynamicsAndDerivatives<R: Real>: System<R> {
     /// Overwrites the last four arguments; meaning and units are those of [`ForwardDynamicsAndDerivatives`].
@@ -170,7 +170,7 @@ pub trait InverseDynamicsDerivatives<R: Real>: System<R> {
 /// [`InverseDynamics`](super::InverseDynamics) and its [derivatives](InverseDynamicsDerivatives), which share their work:
 /// `"inverse_dynamics + d(inverse_dynamics)/d(q, u, u_dot)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `inverse_dynamics+d(inverse_dynamics)/d(q, u, u_dot)`; name it in `functions`, alone and not in a sum, and generate again"
+    message = "`{Self}` was generated without `inverse_dynamics+d(inverse_dynamics)/d(q, u, u_dot)`; name this sum in `functions`, in this order and with no other part, and generate again"
 )]
 pub trait InverseDynamicsAndDerivatives<R: Real>: System<R> {
     /// Overwrites the last four arguments; meaning and units are those of [`InverseDynamicsAndDerivatives`].

@@ -57,6 +57,18 @@ impl super::function::Function {
     }
 }
 
+/// The variable of which a name is that of an entry: a coordinate or a speed.
+pub(super) fn holding(tree: &Tree, name: &str) -> Option<&'static str> {
+    let has = |names: Vec<String>| names.iter().any(|own| own == name);
+    if has(tree.coordinate_names()) {
+        Some(Argument::Q.name())
+    } else if has(tree.speed_names()) {
+        Some(Argument::U.name())
+    } else {
+        None
+    }
+}
+
 impl Variable {
     /// The variable with this name, if there is one.
     pub(super) fn find(tree: Option<&Tree>, name: &str) -> Option<Self> {

@@ -95,6 +95,17 @@ fn axes_of_joints_without_names_are_shown_where_they_are_turned() {
         "{}",
         ran.out
     );
+    let sliding = model("arm", "2.0").replace(
+        "joint = [\"theta2\"]",
+        "joint = \"planar\"\naxis = [0.0, -1.0, 0.0]",
+    );
+    project.write("sliding.toml", &sliding);
+    let ran = project.kane(&["info", "sliding.toml"]);
+    assert!(
+        ran.out.contains(": theta2 about (0, -1, 0) s1 s3\n"),
+        "{}",
+        ran.out
+    );
     let ran = project.kane(&["info", "arm.toml", "--json"]);
     let report: Value = serde_json::from_str(&ran.out).unwrap();
     let limits = &report["limits"];

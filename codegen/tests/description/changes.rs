@@ -57,6 +57,28 @@ fn joint_that_is_locked_beyond_its_limits_is_told() {
 }
 
 #[test]
+fn joint_that_is_locked_at_what_looks_like_degrees_is_told_by_its_name() {
+    let free = "joint = [\"theta1\"]";
+    let named = "joint = [\"theta1\"]\njoint_name = \"elbow\"";
+    let slide = "joint = [\"s1\"]\njoint_name = \"rail\"";
+    let description = chain([named, slide, free]);
+    for (name, expected) in [
+        (
+            "elbow",
+            "warning: model.toml: joint `elbow` is locked at 90.0 rad; is it in degrees?",
+        ),
+        (
+            "c",
+            "warning: model.toml: `theta1` of body `c` is locked at 90.0 rad; is it in degrees?",
+        ),
+        ("rail", "note: model.toml: joint `rail` is locked at 90.0 m"),
+    ] {
+        let checked = tree::build_with(&description, &lock(name, 90.0)).unwrap();
+        assert_eq!(checked.warnings.brief().lines[0].1, expected);
+    }
+}
+
+#[test]
 fn joint_that_follows_another_and_is_locked_is_told() {
     let free = "joint = [\"theta1\"]";
     let follower =

@@ -142,7 +142,7 @@ fn what_is_missing_or_misplaced_is_said() {
         ("hessian(bias; q,)", "expected a variable"),
         (
             "mass_matrix bias",
-            "`+` joins functions in one; several have commas between them",
+            "`+` joins functions in one; where several may stand, commas are between them",
         ),
         (
             "sin_cos",
@@ -233,7 +233,7 @@ fn what_cannot_be_a_name_is_told_with_why_beside_other_faults() {
         ("bias", "it is a function of the catalogue"),
         ("prepare", "a module has something of that name"),
         ("parameters", "a module has something of that name"),
-        ("rk4_step", "C has a function of that name"),
+        ("rk4_step", "the C interface has a function of that name"),
         (
             "a_stage_b",
             "`_stage_` marks what a long function calls, such as `bias_stage_1`",

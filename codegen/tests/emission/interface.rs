@@ -13,7 +13,7 @@ use kane_codegen::{
     generate::{Generated, generate},
     options::Options,
 };
-use kane_test_support::models::system;
+use kane_test_support::models::{body, system};
 
 /// The pendulum's mass matrix under this name.
 fn generated(name: &str) -> Result<Generated, Error> {
@@ -96,5 +96,31 @@ fn multipliers_of_base_parameters_have_the_length_of_these() {
         let module = generated_of(model, "arm", request).unwrap();
         let length = "pub const BASE_PARAMETERS_LEN: usize = ";
         assert!(module.source.contains(length), "{request}");
+    }
+}
+
+#[test]
+fn a_header_has_the_axis_of_each_coordinate_that_has_one() {
+    let axes = [0.0, -1.0, 0.0];
+    let planar = format!("joint = \"planar\"\naxis = {axes:?}");
+    let held = "joint = [\"theta3\", \"s1\"]\nlocked = { theta1 = 0.5 }".to_owned();
+    let bodies = [planar, "joint = \"spherical\"".to_owned(), held];
+    let bodies = bodies.iter().zip(["base", "ball", "held"]);
+    let bodies = bodies.map(|(joint, name)| body(name, "[]").replace("joint = []", joint));
+    let text = format!(
+        "name = \"s\"\nlower_bodies = [0, 1, 2]\n{}",
+        bodies.collect::<String>()
+    );
+    let header = text_of(generated_of(text, "s", "mass_matrix").unwrap(), ".h");
+    for line in [
+        "S_Q_BASE_THETA2 = 0, // rad, about (0, -1, 0)\n",
+        "S_Q_BASE_S1 = 1, // m, along (-1, 0, 0)\n",
+        "S_Q_BASE_S3 = 2, // m, along (0, 0, 1)\n",
+        "S_Q_BALL_THETA1 = 3, // rad\n",
+        // The angle that is held turns its axis.
+        "S_Q_HELD_THETA3 = 6, // rad\n",
+        "S_Q_HELD_S1 = 7 // m, along (1, 0, 0)\n",
+    ] {
+        assert!(header.contains(line), "{header}");
     }
 }

@@ -91,7 +91,6 @@ fn read(
     let name = reader.required(robot, "the robot", "name");
     let note = "a URDF has no gravity: it is taken as (0, 0, -9.81) m/s^2";
     let note = Diagnostic::note(note).at(robot.span(), "gravity along -z");
-    let note = note.help("for a robot on a wall, `kane convert` it and change `gravity`");
     reader.faults.push(note);
     let bodies = bodies(reader, robot, reading);
     Some(Description {

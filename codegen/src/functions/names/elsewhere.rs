@@ -446,10 +446,11 @@ pub(super) const OPERATORS: [(&str, &[&str]); 5] = [
 ];
 
 /// Our variables, and other names of the same.
-pub(in crate::functions) const VARIABLES: [(&str, &[&str]); 5] = [
+pub(in crate::functions) const VARIABLES: [(&str, &[&str]); 6] = [
     ("q", &["qpos"]),
     ("u", &["v", "qd", "dq", "qdot", "qvel"]),
     ("u_dot", &["a", "qdd", "ddq", "qddot", "qacc", "vdot"]),
     ("tau", &["torque", "torques", "forces", "ctrl"]),
     ("loads", &["load", "fext", "wrench", "wrenches"]),
+    ("parameters", &["p", "params", "parameter"]),
 ];

@@ -10,7 +10,7 @@ use super::{
     given_name,
     joined::{self, WrittenPart},
     parsed_subject::ParsedSubject,
-    request_error::{RequestError, all_or_faults},
+    request_error::{RequestError, all_or_faults, each_once},
     syntax::{self, AT_SIN_COS, Kind, Product, Unexpected, Word, written},
 };
 use crate::{
@@ -21,7 +21,7 @@ use crate::{
         part::{Part, text_of},
         request::Request,
         subject::View,
-        variable::{self, Variable},
+        variable::{self, Variable, holding},
     },
     tree::Tree,
 };
@@ -350,6 +350,7 @@ impl ParsedPart {
                 None => Err(vec![RequestError::UnknownVariable {
                     request,
                     function: self.function.name,
+                    entry_of: tree.and_then(|tree| holding(tree, &name)),
                     name,
                     known: variables(self.function, tree, is_jvp),
                     place,
@@ -357,7 +358,7 @@ impl ParsedPart {
             }
         };
         let by = self.derivative.iter().flat_map(|(_, by)| by);
-        let by = all_or_faults(by.map(variable));
+        let by = all_or_faults(by.map(variable)).and_then(|by| each_once(text, by));
         let subject = subject
             .map(|subject| subject.on(text, tree, near))
             .transpose();

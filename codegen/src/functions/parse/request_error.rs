@@ -5,7 +5,10 @@ use std::ops::Range;
 use super::syntax::Unexpected;
 use crate::{
     diagnostic::Escaped,
-    functions::names::dictionary::{advice, advice_on_variable},
+    functions::{
+        names::dictionary::{advice, advice_on_variable},
+        variable::Variable,
+    },
 };
 
 /// Why a function cannot be had.
@@ -148,7 +151,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// What is no variable.
-    #[error("`{}` is no variable of `{function}`; {} be differentiated by {}", name.escaped(), variables(function, name, known), names(known))]
+    #[error("`{}` is no variable of `{function}`; {} be differentiated by {}", name.escaped(), variables(function, name, known, *entry_of), names(known))]
     UnknownVariable {
         /// What was asked for.
         request: String,
@@ -156,6 +159,8 @@ pub enum RequestError {
         function: &'static str,
         /// What was found.
         name: String,
+        /// The variable of which it is an entry.
+        entry_of: Option<&'static str>,
         /// By what the function can be differentiated.
         known: Vec<String>,
         /// Where in the request.
@@ -220,8 +225,11 @@ impl RequestError {
 const MOST_LISTED: usize = 20;
 
 /// What to do about a name that is no variable, and how the list of variables begins.
-fn variables(function: &str, name: &str, known: &[String]) -> String {
-    let advice = advice_on_variable(function, name, known);
+fn variables(function: &str, name: &str, known: &[String], entry_of: Option<&str>) -> String {
+    let advice = match entry_of {
+        Some(whole) => format!("it is an entry of `{whole}`"),
+        None => advice_on_variable(function, name, known),
+    };
     let next = if advice.ends_with('?') {
         " It can"
     } else {
@@ -271,4 +279,23 @@ fn of_frame(name: &str) -> String {
         _ => return String::new(),
     };
     format!("; of a frame it is `{of_frame}(FRAME)`")
+}
+
+/// Variables, none of which is part of another.
+pub(in crate::functions) fn each_once(
+    request: &str,
+    by: Vec<Variable>,
+) -> Result<Vec<Variable>, Vec<RequestError>> {
+    let has_all = by.contains(&Variable::Parameters);
+    let again = by.iter().filter(|_| has_all).find_map(|own| match own {
+        Variable::Parameter { name, .. } => Some(name.clone()),
+        Variable::Given(_) | Variable::Parameters => None,
+    });
+    match again {
+        None => Ok(by),
+        Some(name) => Err(vec![RequestError::Repeated {
+            request: request.to_owned(),
+            name,
+        }]),
+    }
 }
