@@ -439,6 +439,14 @@ fn what_cannot_be_differentiated_is_told_why() {
             "`pole_maas` is no variable of `bias`; did you mean `pole_mass`? It can be differentiated by `q`, `u`, `parameters`, `pole_mass`",
         ),
         (
+            "d(bias)/d(cart_s1)",
+            "`cart_s1` is no variable of `bias`; it is an entry of `q`; it can be differentiated by `q`, `u`, `parameters`, `pole_mass`",
+        ),
+        (
+            "d(bias)/d(pole_mass, parameters)",
+            "`d(bias)/d(pole_mass, parameters)` names `pole_mass` twice",
+        ),
+        (
             "jvp(bias; pole_mass)",
             "`pole_mass` alone is no direction; expected `parameters`, of which it is one",
         ),

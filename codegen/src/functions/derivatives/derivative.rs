@@ -41,6 +41,9 @@ pub(in crate::functions) struct Asked<'a> {
     pub(in crate::functions) sparsity: Option<&'a Sparsity>,
 }
 
+/// How inputs change with the entries of all variables, and the columns of each variable.
+pub(in crate::functions) type Seeded = (Seeds, Vec<Range<usize>>);
+
 /// A derivative of a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Derivative {
@@ -322,11 +325,7 @@ impl Derivative {
     }
 
     /// How inputs change with the entries of all variables, and the columns of each.
-    pub(in crate::functions) fn seeds(
-        &self,
-        graph: &mut ExprGraph,
-        tree: &Tree,
-    ) -> (Seeds, Vec<Range<usize>>) {
+    pub(in crate::functions) fn seeds(&self, graph: &mut ExprGraph, tree: &Tree) -> Seeded {
         let mut seeds = Seeds::new();
         let mut columns: Vec<Range<usize>> = Vec::with_capacity(self.by.len());
         for variable in &self.by {

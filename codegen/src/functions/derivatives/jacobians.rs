@@ -70,8 +70,8 @@ impl Part {
         if others.by.is_empty() {
             return Vec::new();
         }
-        let values = told.values.iter();
-        if let Some(solution) = values.filter_map(|own| self.solution(tree, own)).next() {
+        let mut values = told.values.iter();
+        if let Some(solution) = values.find_map(|own| self.solution(tree, own)) {
             let graph = &mut derived.graph;
             // No sweep goes through calls.
             let plan = &plan.with(Technique::Lockstep, false);

@@ -5,14 +5,13 @@
 //! accelerations and `Y` how these change with `x`: forces are linear in accelerations, so that `L_aa` is zero. Where accelerations of some speeds are given and
 //! their forces found, `a` are those of the others, and the weights also come from the multiplier of the forces.
 
-use std::{collections::BTreeMap, ops::Range};
+use std::collections::BTreeMap;
 
 use super::{
-    derivative::{Derivative, DerivativeKind, entries, gradient, sweep, symmetric},
+    derivative::{Derivative, DerivativeKind, Seeded, entries, gradient, sweep, symmetric},
     solved::Balance,
 };
 use crate::{
-    differentiate::Seeds,
     expr::{Expr, ExprGraph, Input},
     functions::{
         argument::Argument,
@@ -173,7 +172,7 @@ impl Derivative {
         &self,
         graph: &mut ExprGraph,
         tree: &Tree,
-        (weighted, (mut seeds, columns)): ((&[Argument], &[Expr]), (Seeds, Vec<Range<usize>>)),
+        (weighted, (mut seeds, columns)): ((&[Argument], &[Expr]), Seeded),
         plan: &Plan,
         (places, free): (&[[usize; 2]], Vec<SpeedId>),
     ) -> Second {

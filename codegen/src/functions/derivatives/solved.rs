@@ -5,14 +5,11 @@
 //! derivatives are one solution for each column of `df`. Where accelerations of some speeds are given and their forces found, `M_ff` of the free
 //! speeds takes the place of `M`, and `d(tau_p) = M_pf d(u_dot_f) - df_p`.
 
-use std::{
-    collections::{BTreeMap, BTreeSet},
-    ops::Range,
-};
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::derivative::{Asked, Derivative, DerivativeKind, entry, gradient};
+use super::derivative::{Asked, Derivative, DerivativeKind, Seeded, entry, gradient};
 use crate::{
-    differentiate::{Seeds, forward},
+    differentiate::forward,
     expr::{Expr, ExprGraph, Input},
     functions::{
         argument::Argument, derived::Derived, formulation::Way, function::InverseDynamicsFn, roots,
@@ -163,7 +160,7 @@ impl Solution<'_> {
         derivative: &Derivative,
         graph: &mut ExprGraph,
         tree: &Tree,
-    ) -> (Seeds, Vec<Range<usize>>) {
+    ) -> Seeded {
         let (mut seeds, columns) = derivative.seeds(graph, tree);
         seeds.retain(|input, _| match input {
             Input::UDot(speed) => !self.is_free(*speed),

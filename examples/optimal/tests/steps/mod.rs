@@ -362,7 +362,7 @@ fn products_along_values_set_at_run_time_are_those_with_whole_derivatives() {
             .zip(&rows)
             .map(|(change, row)| change + dot(row, &values))
             .collect();
-        let found = scheme.forward_with_parameters(&system, &at, (along, values));
+        let found = scheme.forward_with_parameters(&system, &at, (along.0, along.1, values));
         assert_close(&what, &flat(&found), &expected, ROUNDED);
         let (multiplier, _) = random_change(&mut random);
         let (before, of_tau) = scheme.adjoint(&system, &at, multiplier);

@@ -126,7 +126,7 @@ impl Scheme {
         self,
         system: &S,
         Driven { q, u, tau, dt }: &Driven<S::Q, S::U>,
-        ((mut change, tau_change), values_change): ((Change<S::U>, S::U), S::Values),
+        (mut change, tau_change, values_change): (Change<S::U>, S::U, S::Values),
     ) -> Change<S::U> {
         let (mut q, mut u) = (*q, *u);
         let state = (&mut q, &mut u);
