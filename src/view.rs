@@ -42,7 +42,7 @@ use nalgebra::{
     Const, MatrixView, MatrixViewMut, Rotation3, SMatrix, Scalar, VectorView, VectorViewMut,
 };
 
-use crate::discrete::StepDerivatives;
+use crate::{Array, discrete::StepDerivatives};
 
 /// `q`, `u`, `tau`, or one body's vector, as a column vector.
 pub fn vector<R: Scalar, const N: usize>(array: &[R; N]) -> VectorView<'_, R, Const<N>> {
@@ -127,22 +127,33 @@ pub fn rotation<R: Scalar>(rows: &[[R; 3]; 3]) -> Rotation3<R> {
 /// };
 /// let a: SMatrix<f64, 2, 2> = step_by_state(&derivatives);
 /// assert_eq!(a, SMatrix::<f64, 2, 2>::new(1.0, 2.0, 4.0, 5.0));
+///
+/// // The same of any system with one speed.
+/// fn of<S: kane::System<f64>>(derivatives: &StepDerivatives<S::Matrix>) -> SMatrix<f64, 2, 2> {
+///     step_by_state(derivatives)
+/// }
 /// ```
-pub fn step_by_state<R: Scalar, const N: usize, const N2: usize>(
-    derivatives: &StepDerivatives<[[R; N]; N]>,
+pub fn step_by_state<R: Scalar + Copy, Row: Array<R>, M: Array<Row>, const N2: usize>(
+    derivatives: &StepDerivatives<M>,
 ) -> SMatrix<R, N2, N2> {
-    const { assert!(N2 == 2 * N, "`A` has two rows a speed") };
+    const { assert!(N2 == 2 * M::LEN, "`A` has two rows a speed") };
     let d = derivatives;
-    let blocks = [[&d.q_by_q, &d.q_by_u], [&d.u_by_q, &d.u_by_u]];
-    SMatrix::from_fn(|row, column| blocks[row / N][column / N][row % N][column % N].clone())
+    let (n, blocks) = (M::LEN, [[&d.q_by_q, &d.q_by_u], [&d.u_by_q, &d.u_by_u]]);
+    SMatrix::from_fn(|row, column| blocks[row / n][column / n][row % n][column % n])
 }
 
 /// Copies the derivatives of a discrete step by the forces into `B`, for `N` speeds and `N2 = 2 N`: two rows and one column per speed.
 /// Write the type of the result, as for [`step_by_state`]: `let b: SMatrix<f64, N2, N> = ..`.
-pub fn step_by_tau<R: Scalar, const N: usize, const N2: usize>(
-    derivatives: &StepDerivatives<[[R; N]; N]>,
+pub fn step_by_tau<
+    R: Scalar + Copy,
+    Row: Array<R>,
+    M: Array<Row>,
+    const N: usize,
+    const N2: usize,
+>(
+    derivatives: &StepDerivatives<M>,
 ) -> SMatrix<R, N2, N> {
-    const { assert!(N2 == 2 * N, "`B` has two rows a speed") };
+    const { assert!(N == M::LEN && N2 == 2 * N, "`B` has two rows a speed") };
     let blocks = [&derivatives.q_by_tau, &derivatives.u_by_tau];
-    SMatrix::from_fn(|row, column| blocks[row / N][row % N][column].clone())
+    SMatrix::from_fn(|row, column| blocks[row / N][row % N][column])
 }

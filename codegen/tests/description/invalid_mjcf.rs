@@ -111,6 +111,7 @@ files! {
     two_orientations
     unknown_class
     unknown_types_with_fromto
+    worldbody_misspelt
 }
 
 #[test]

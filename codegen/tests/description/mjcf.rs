@@ -24,7 +24,8 @@ fn model_without_a_word_has_what_mujoco_gives_it() {
 
 #[test]
 fn last_gravity_counts_and_its_flag_switches_it_off() {
-    let gravity = |options: &str| vector(read(&format!("<mujoco>{options}</mujoco>")).gravity);
+    let gravity =
+        |options: &str| vector(read(&format!("<mujoco>{options}<worldbody/></mujoco>")).gravity);
     assert_eq!(
         gravity("<option gravity=\"1 2 3\"/><option gravity=\"4 5 6\" timestep=\"1\"/>"),
         [4.0, 5.0, 6.0]

@@ -121,7 +121,7 @@ fn fault_of_a_default_is_told_once() {
 
 #[test]
 fn flag_makes_equalities_harmless() {
-    let equality = "<equality><weld body1=\"a\"/></equality>";
+    let equality = "<worldbody/><equality><weld body1=\"a\"/></equality>";
     for flag in ["equality", "constraint"] {
         read(&format!(
             "<mujoco><option><flag {flag}=\"disable\"/></option>{equality}</mujoco>"

@@ -53,6 +53,14 @@ fn read<'d>(
     let models = Models::read(reader, files, root, beside)?;
     let main = models.main();
     beside_bodies::read(reader, main);
+    if main.named("worldbody").is_empty() {
+        // What names a body would be told as a consequence.
+        let fault = Diagnostic::error("the model has no `worldbody`");
+        reader
+            .faults
+            .push(fault.at(root.span(), "expected one, with the bodies"));
+        return None;
+    }
     let found = bodies::read(reader, &models);
     if let Some(span) = main.settings.merges.filter(|_| found.attaches()) {
         let message =
