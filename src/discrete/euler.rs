@@ -5,6 +5,7 @@
 //! gyroscopic ones too, are those before the step. For long motions without losses take [`rk4`](super::rk4), or short steps.
 
 use super::derivatives::{Change, StepByParameters, StepDerivatives, Variable};
+use super::products::{self, At};
 use super::reached::{Reached, move_on};
 use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
@@ -151,9 +152,8 @@ pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
     state: (&mut S::Q, &mut S::U),
     (change, tau_change): (&mut Change<S::U>, &S::U),
 ) {
-    forward_by(system, tau, dt, state, change, |(q, u), own, du_dot| {
-        system.jvp_forward_dynamics_q_u_tau(q, u, tau, &own.q, &own.u, tau_change, du_dot);
-    });
+    let along = products::along(system, tau_change);
+    forward_by(system, tau, dt, state, change, along);
 }
 
 /// Like [`forward`], if the values set at run time change too, by `parameters_change`.
@@ -164,32 +164,22 @@ pub fn forward_with_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsP
     state: (&mut S::Q, &mut S::U),
     (change, tau_change, parameters_change): (&mut Change<S::U>, &S::U, &S::Values),
 ) {
-    forward_by(system, tau, dt, state, change, |(q, u), own, du_dot| {
-        system.jvp_forward_dynamics_q_u_tau_parameters(
-            q,
-            u,
-            tau,
-            &own.q,
-            &own.u,
-            tau_change,
-            parameters_change,
-            du_dot,
-        );
-    });
+    let along = products::along_with_parameters(system, tau_change, parameters_change);
+    forward_by(system, tau, dt, state, change, along);
 }
 
-/// `jvp` tells how accelerations change with the state.
+/// The accelerations change with the state as `along` tells.
 fn forward_by<R: Real, S: ForwardDynamics<R>>(
     system: &S,
     tau: &S::U,
     dt: R,
     (q, u): (&mut S::Q, &mut S::U),
     change: &mut Change<S::U>,
-    jvp: impl Fn((&S::Q, &S::U), &Change<S::U>, &mut S::U),
+    along: impl Fn(At<'_, R, S>, &Change<S::U>) -> S::U,
 ) {
-    let (mut u_dot, mut du_dot) = (zero(), zero());
+    let mut u_dot = zero();
     system.forward_dynamics(q, u, tau, &mut u_dot);
-    jvp((q, u), change, &mut du_dot);
+    let du_dot = along((q, u, tau), change);
     let moving = Reached::<R, S>::by(&moved(system, dt, q, u, &u_dot));
     *change = changed(&moving, dt, change, &du_dot);
 }
@@ -205,14 +195,12 @@ pub fn adjoint<R: Real, S: ForwardDynamics<R> + ForwardDynamicsVjp<R>>(
     state: (&S::Q, &S::U),
     (multiplier, tau_gradient): (&mut Change<S::U>, &mut S::U),
 ) {
-    adjoint_by(system, tau, dt, state, multiplier, |(q, u), of, own| {
-        let Change { q: of_q, u: of_u } = own;
-        system.vjp_forward_dynamics_q_u_tau(q, u, tau, of, of_q, of_u, tau_gradient);
-    });
+    let back = products::back(system, tau_gradient);
+    adjoint_by(system, tau, dt, state, multiplier, back);
 }
 
-/// Like [`adjoint`]; also overwrites `parameters_gradient` with the gradient by all values set at run time, in terms of [`by_parameters`]
-/// `multiplier` times these derivatives.
+/// Like [`adjoint`]; also overwrites `parameters_gradient` with that of all values set at run time: `multiplier` times the derivatives of
+/// [`by_parameters`].
 pub fn adjoint_with_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsParametersVjp<R>>(
     system: &S,
     tau: &S::U,
@@ -220,39 +208,25 @@ pub fn adjoint_with_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsP
     state: (&S::Q, &S::U),
     (multiplier, tau_gradient, parameters_gradient): (&mut Change<S::U>, &mut S::U, &mut S::Values),
 ) {
-    adjoint_by(system, tau, dt, state, multiplier, |(q, u), of, own| {
-        system.vjp_forward_dynamics_q_u_tau_parameters(
-            q,
-            u,
-            tau,
-            of,
-            &mut own.q,
-            &mut own.u,
-            tau_gradient,
-            parameters_gradient,
-        );
-    });
+    let back = products::back_with_parameters(system, tau_gradient, parameters_gradient);
+    adjoint_by(system, tau, dt, state, multiplier, back);
 }
 
-/// `vjp` writes the gradient of the accelerations by the state.
+/// `back` tells the gradient of the accelerations by the state.
 fn adjoint_by<R: Real, S: ForwardDynamics<R>>(
     system: &S,
     tau: &S::U,
     dt: R,
     (q, u): (&S::Q, &S::U),
     multiplier: &mut Change<S::U>,
-    vjp: impl FnOnce((&S::Q, &S::U), &S::U, &mut Change<S::U>),
+    mut back: impl FnMut(At<'_, R, S>, &S::U) -> Change<S::U>,
 ) {
     let mut u_dot = zero();
     system.forward_dynamics(q, u, tau, &mut u_dot);
     let direction = moved(system, dt, &mut { *q }, &mut { *u }, &u_dot);
     let (of_q, of_direction) = Reached::<R, S>::by(&direction).back(&multiplier.q);
     let of_u = plus_scaled(&multiplier.u, dt, &of_direction);
-    let mut own = Change {
-        q: zero(),
-        u: zero(),
-    };
-    vjp((q, u), &scaled(dt, &of_u), &mut own);
+    let own = back((q, u, tau), &scaled(dt, &of_u));
     multiplier.q = plus(&of_q, &own.q);
     multiplier.u = plus(&of_u, &own.u);
 }

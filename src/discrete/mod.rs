@@ -42,6 +42,7 @@
 
 mod derivatives;
 pub mod euler;
+mod products;
 mod reached;
 pub mod rk4;
 

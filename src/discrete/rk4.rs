@@ -5,6 +5,7 @@
 //! an orientation `d_dot = w + d × w / 2 + d × (d × w) / 12`; the omitted terms are beyond the order of the step.
 
 use super::derivatives::{Change, StepByParameters, StepDerivatives, Variable};
+use super::products::{self, At};
 use super::reached::{Reached, move_on};
 use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
@@ -290,9 +291,8 @@ pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
     state: (&mut S::Q, &mut S::U),
     (change, tau_change): (&mut Change<S::U>, &S::U),
 ) {
-    forward_by(system, tau, dt, state, change, |(q, u), own, du_dot| {
-        system.jvp_forward_dynamics_q_u_tau(q, u, tau, &own.q, &own.u, tau_change, du_dot);
-    });
+    let along = products::along(system, tau_change);
+    forward_by(system, tau, dt, state, change, along);
 }
 
 /// Like [`forward`], if the values set at run time change too, by `parameters_change`.
@@ -303,28 +303,18 @@ pub fn forward_with_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsP
     state: (&mut S::Q, &mut S::U),
     (change, tau_change, parameters_change): (&mut Change<S::U>, &S::U, &S::Values),
 ) {
-    forward_by(system, tau, dt, state, change, |(q, u), own, du_dot| {
-        system.jvp_forward_dynamics_q_u_tau_parameters(
-            q,
-            u,
-            tau,
-            &own.q,
-            &own.u,
-            tau_change,
-            parameters_change,
-            du_dot,
-        );
-    });
+    let along = products::along_with_parameters(system, tau_change, parameters_change);
+    forward_by(system, tau, dt, state, change, along);
 }
 
-/// `jvp` tells how accelerations change with the state.
+/// The accelerations of a stage change with its state as `along` tells.
 fn forward_by<R: Real, S: ForwardDynamics<R>>(
     system: &S,
     tau: &S::U,
     dt: R,
     (q, u): (&mut S::Q, &mut S::U),
     change: &mut Change<S::U>,
-    jvp: impl Fn((&S::Q, &S::U), &Change<S::U>, &mut S::U),
+    along: impl Fn(At<'_, R, S>, &Change<S::U>) -> S::U,
 ) {
     let (mut d_rate, mut u_rate) = (zero(), zero());
     let (mut d_change, mut u_change) = (zero(), change.u);
@@ -335,7 +325,7 @@ fn forward_by<R: Real, S: ForwardDynamics<R>>(
             u: plus_scaled(&change.u, stage.way, &u_rate),
         };
         d_rate = rate::changed::<R, S>((&stage.d, &stage.u), (&d, &own.u));
-        jvp((&stage.q, &stage.u), &own, &mut u_rate);
+        u_rate = along((&stage.q, &stage.u, tau), &own);
         d_change = plus_scaled(&d_change, stage.weight, &d_rate);
         u_change = plus_scaled(&u_change, stage.weight, &u_rate);
         driven(system, tau, stage)
@@ -359,17 +349,12 @@ pub fn adjoint<R: Real, S: ForwardDynamics<R> + ForwardDynamicsVjp<R>>(
     state: (&S::Q, &S::U),
     (multiplier, tau_gradient): (&mut Change<S::U>, &mut S::U),
 ) {
-    *tau_gradient = zero();
-    adjoint_by(system, tau, dt, state, multiplier, |(q, u), of, own| {
-        let Change { q: of_q, u: of_u } = own;
-        let mut of_tau = zero();
-        system.vjp_forward_dynamics_q_u_tau(q, u, tau, of, of_q, of_u, &mut of_tau);
-        *tau_gradient = plus(tau_gradient, &of_tau);
-    });
+    let back = products::back(system, tau_gradient);
+    adjoint_by(system, tau, dt, state, multiplier, back);
 }
 
-/// Like [`adjoint`]; also overwrites `parameters_gradient` with the gradient by all values set at run time, in terms of [`by_parameters`]
-/// `multiplier` times these derivatives.
+/// Like [`adjoint`]; also overwrites `parameters_gradient` with that of all values set at run time: `multiplier` times the derivatives of
+/// [`by_parameters`].
 pub fn adjoint_with_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsParametersVjp<R>>(
     system: &S,
     tau: &S::U,
@@ -377,32 +362,18 @@ pub fn adjoint_with_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsP
     state: (&S::Q, &S::U),
     (multiplier, tau_gradient, parameters_gradient): (&mut Change<S::U>, &mut S::U, &mut S::Values),
 ) {
-    (*tau_gradient, *parameters_gradient) = (zero(), zero());
-    adjoint_by(system, tau, dt, state, multiplier, |(q, u), of, own| {
-        let (mut of_tau, mut of_values) = (zero(), zero());
-        system.vjp_forward_dynamics_q_u_tau_parameters(
-            q,
-            u,
-            tau,
-            of,
-            &mut own.q,
-            &mut own.u,
-            &mut of_tau,
-            &mut of_values,
-        );
-        *tau_gradient = plus(tau_gradient, &of_tau);
-        *parameters_gradient = plus(parameters_gradient, &of_values);
-    });
+    let back = products::back_with_parameters(system, tau_gradient, parameters_gradient);
+    adjoint_by(system, tau, dt, state, multiplier, back);
 }
 
-/// `vjp` writes the gradient of a stage's accelerations by its state.
+/// `back` tells the gradient of a stage's accelerations by its state.
 fn adjoint_by<R: Real, S: ForwardDynamics<R>>(
     system: &S,
     tau: &S::U,
     dt: R,
     (q, u): (&S::Q, &S::U),
     multiplier: &mut Change<S::U>,
-    mut vjp: impl FnMut((&S::Q, &S::U), &S::U, &mut Change<S::U>),
+    mut back: impl FnMut(At<'_, R, S>, &S::U) -> Change<S::U>,
 ) {
     let mut stages = [None; 4];
     let mut kept = stages.iter_mut();
@@ -422,11 +393,7 @@ fn adjoint_by<R: Real, S: ForwardDynamics<R>>(
     for stage in stages.iter().flatten().rev() {
         let of_u_dot = plus_scaled(&of_u_rate, stage.weight, &multiplier.u);
         let of_d_dot = plus_scaled(&of_d_rate, stage.weight, &d_after);
-        let mut own = Change {
-            q: zero(),
-            u: zero(),
-        };
-        vjp((&stage.q, &stage.u), &of_u_dot, &mut own);
+        let own = back((&stage.q, &stage.u, tau), &of_u_dot);
         let (of_d, of_u) = rate::back::<R, S>((&stage.d, &stage.u), &of_d_dot);
         let (own_q, own_d) = Reached::<R, S>::by(&stage.d).back(&own.q);
         let of_u = plus(&of_u, &own.u);

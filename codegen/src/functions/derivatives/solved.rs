@@ -30,8 +30,8 @@ pub(in crate::functions) struct Solution<'a> {
     pub(in crate::functions) prescribed: Option<&'a BTreeSet<SpeedId>>,
 }
 
-/// What follows from the solution's entries in turn: the forces that are lacking where accelerations are found, these with the other sign where forces are, and
-/// what is copied.
+/// What stands for the outputs while derivatives are swept for, with an entry for each entry of these: the forces that are lacking for an acceleration
+/// that is found, the same with the other sign for a force, and what is given for what is copied.
 pub(in crate::functions) struct Balance {
     pub(in crate::functions) entries: Vec<Expr>,
     /// Accelerations that are inputs until a sweep is over, and what they are.
@@ -126,6 +126,7 @@ impl Solution<'_> {
         speeds.filter(|speed| self.is_free(*speed))
     }
 
+    /// What is lacking and what is copied, with accelerations that are found for inputs.
     pub(in crate::functions) fn balance(
         &self,
         graph: &mut ExprGraph,

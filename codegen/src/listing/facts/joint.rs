@@ -115,6 +115,21 @@ impl Joint {
     }
 }
 
+impl Joint {
+    /// The axis, with the lower body's components, about or along which the coordinate at a place of [`Self::q`] is; `None` of a quaternion, and where other
+    /// angles turn it.
+    pub(crate) fn axis(&self, place: usize) -> Option<[f64; 3]> {
+        if place >= 4 {
+            return Some(self.axes[place - 4]);
+        }
+        let is_angle = |(name, _): &&(&str, f64)| name.starts_with("theta");
+        let held = self.locked.iter().filter(is_angle).count();
+        let angles = self.q[..3].iter().flatten().count() + held;
+        let is_only = self.chart == JointChart::AngleRates && angles == 1;
+        self.axes.get(place).copied().filter(|_| is_only)
+    }
+}
+
 impl Mimic {
     fn of(tree: &Tree, joint: &tree::Joint) -> Option<Self> {
         let mut coordinates = coordinates(joint);

@@ -1,9 +1,6 @@
 //! The header: what a module's functions are in C, from the table that the file with their Rust side is written from.
 
-use std::{
-    borrow::Cow,
-    collections::{BTreeMap, BTreeSet},
-};
+use std::{borrow::Cow, collections::BTreeSet};
 
 use super::{
     data,
@@ -15,7 +12,7 @@ use super::{
 use crate::{
     functions::{Access, Declared, Element, Length, Signature},
     listing::{
-        Facts, Joint, JointChart, Module, Size,
+        Facts, Module, Size,
         constants::{COORDINATES, SPEEDS},
         nominal,
     },
@@ -159,13 +156,13 @@ impl Header<'_> {
                 )
                 .into(),
                 names: facts.coordinates.iter().map(String::as_str).collect(),
-                notes: notes(&facts.units.coordinates, &axes(&facts.joints)),
+                notes: coordinates(facts),
             },
             Places {
                 kind: "U",
                 doc: format!("The speeds; {SPEEDS}").into(),
                 names: facts.speeds.iter().map(String::as_str).collect(),
-                notes: notes(&facts.units.speeds, &BTreeMap::new()),
+                notes: units(&facts.units.speeds),
             },
             Places {
                 kind: "PARAMETER",
@@ -354,33 +351,25 @@ fn comment<S: AsRef<str>>(mark: &str, lines: impl IntoIterator<Item = S>) -> Str
         .collect()
 }
 
-/// The units of what an enumeration names, and what is said of it beside.
-fn notes(units: &[&'static str], beside: &BTreeMap<usize, String>) -> Vec<String> {
-    let units = units.iter().enumerate();
-    let notes = units.map(|(place, unit)| {
-        let unit = if *unit == "1" { "no unit" } else { unit };
-        let beside = beside.get(&place).map_or("", String::as_str);
-        format!("{unit}{beside}")
-    });
-    notes.collect()
+/// The units of what an enumeration names.
+fn units(units: &[&'static str]) -> Vec<String> {
+    let units = units.iter();
+    let units = units.map(|unit| if *unit == "1" { "no unit" } else { unit });
+    units.map(str::to_owned).collect()
 }
 
-/// About or along which axis of the lower body coordinates are, by their places: the only angle of a joint, and all translations.
-fn axes(joints: &[Joint]) -> BTreeMap<usize, String> {
-    let of_joint = |joint: &Joint| {
-        let angles = joint.q[..3].iter().flatten().count();
-        let held = joint.locked.iter();
-        let held = held.filter(|(name, _)| name.starts_with("theta")).count();
-        let turns_once = joint.chart == JointChart::AngleRates && angles + held == 1;
-        let axis = move |word: &str, axis: usize, place: Option<usize>| {
-            let [x, y, z] = joint.axes[axis].map(|entry| (entry * 1e6).round() / 1e6 + 0.0);
-            Some((place?, format!(", {word} ({x}, {y}, {z})")))
-        };
-        let about = (0..3)
-            .filter(|_| turns_once)
-            .filter_map(|own| axis("about", own, joint.q[own]));
-        let along = (0..3).filter_map(|own| axis("along", own, joint.q[4 + own]));
-        about.chain(along).collect::<Vec<_>>()
-    };
-    joints.iter().flat_map(of_joint).collect()
+/// The units of the coordinates, and about or along which axis they are, where it stays the same.
+fn coordinates(facts: &Facts) -> Vec<String> {
+    let mut notes = units(&facts.units.coordinates);
+    for joint in &facts.joints {
+        for (place, coordinate) in joint.q.into_iter().enumerate() {
+            let Some((note, axis)) = coordinate.zip(joint.axis(place)) else {
+                continue;
+            };
+            let [x, y, z] = axis.map(|entry| (entry * 1e6).round() / 1e6 + 0.0);
+            let word = if place < 4 { "about" } else { "along" };
+            notes[note] = format!("{}, {word} ({x}, {y}, {z})", notes[note]);
+        }
+    }
+    notes
 }
