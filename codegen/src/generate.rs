@@ -73,11 +73,18 @@ pub fn of_description(
         .iter()
         .map(|emittable| (emittable.request.name(), emittable.operations))
         .collect();
-    let of_frames = compiled.functions.iter();
-    let of_frames = of_frames.filter(|emittable| emittable.request.is_of_frames());
-    let asked_of_frames = of_frames
-        .map(|emittable| (emittable.request.text(), emittable.operations))
-        .collect();
+    // As the list of functions writes them, which may be in another way than the model does.
+    let asked = options.functions.requests();
+    let asked_of_frames = asked.iter().filter_map(|asked| {
+        let request = asked.on(tree).ok()?;
+        let mut all = compiled
+            .functions
+            .iter()
+            .filter(|own| own.request.is_of_frames());
+        let own = all.find(|own| own.request.text() == request.text())?;
+        Some((asked.text(), own.operations))
+    });
+    let asked_of_frames = asked_of_frames.collect();
     let mut warnings = checked.warnings;
     warnings.extend(compile::warnings(tree, &compiled));
     let origin = Origin::new(tree, shown_path, options);

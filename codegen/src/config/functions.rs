@@ -76,16 +76,9 @@ impl Named {
     /// What is wrong with them on a model, at the entries that it is about; `None` where it is about none.
     pub fn fault(&self, fault: &RequestError) -> Option<Diagnostic> {
         match fault {
-            RequestError::SameName { first, second, .. } => {
-                // One may be there in every module.
-                let entries = [first, second].map(|text| self.entry(text));
-                let mut spans: Vec<_> = entries.into_iter().flatten().map(|own| own.span).collect();
-                spans.sort_by_key(|span| std::cmp::Reverse(span.start));
-                let mut shown = Diagnostic::error(format!("{}: {fault}", self.what));
-                for (span, label) in spans.into_iter().zip(["the second one", "the first one"]) {
-                    shown = shown.at(span, label);
-                }
-                Some(shown)
+            RequestError::SameName { first, second, .. } => Some(self.both([first, second], fault)),
+            RequestError::SameConstant { requests, .. } => {
+                Some(self.both(requests.each_ref(), fault))
             }
             RequestError::UnknownFrame { request, .. } => Some(part_fault(
                 self.entry(request)?,
@@ -105,10 +98,28 @@ impl Named {
                 fault,
                 "no direction",
             )),
-            RequestError::Repeated { request, .. } | RequestError::OwnArguments { request, .. } => {
+            RequestError::Repeated { request, .. }
+            | RequestError::OwnArguments { request, .. }
+            | RequestError::SameOutput { request, .. } => {
                 Some(part_fault(self.entry(request)?, &self.what, fault, ""))
             }
             _ => None,
+        }
+    }
+
+    /// What is wrong with two of them, of which one may be there in every module.
+    fn both(&self, requests: [&String; 2], fault: &RequestError) -> Diagnostic {
+        let entries = requests.map(|text| self.entry(text));
+        let mut spans: Vec<_> = entries.into_iter().flatten().map(|own| own.span).collect();
+        spans.sort_by_key(|span| std::cmp::Reverse(span.start));
+        spans.dedup();
+        let shown = Diagnostic::error(format!("{}: {fault}", self.what));
+        match spans[..] {
+            [one] => shown.at(one, "here"),
+            [second, first] => shown
+                .at(second, "the second one")
+                .at(first, "the first one"),
+            _ => shown,
         }
     }
 

@@ -48,6 +48,7 @@ pub use names::{
     is_set,
 };
 pub use packed::{ELIMINATION, Packed};
+pub(crate) use parse::syntax::split_at;
 pub use parse::{
     parsed::{Parsed, Place},
     request_error::RequestError,

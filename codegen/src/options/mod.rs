@@ -10,12 +10,10 @@
 pub mod companion;
 mod formulation;
 mod functions;
+mod names;
 mod words;
 
-use std::{
-    collections::{BTreeMap, BTreeSet},
-    ops::Range,
-};
+use std::{collections::BTreeSet, ops::Range};
 
 pub use formulation::Formulation;
 pub use functions::{Functions, is_in_all};
@@ -70,7 +68,7 @@ impl Options {
     /// What is to be generated, in the order of a module.
     ///
     /// # Errors
-    /// All that the model lacks; else two functions of one name.
+    /// All that the model lacks; else two functions, outputs or constants of one name.
     pub fn requests(&self, tree: &Tree) -> Result<Vec<Request>, Vec<RequestError>> {
         let catalogue = CATALOGUE.iter();
         let selected = catalogue.filter(|function| self.selects(tree, function));
@@ -81,22 +79,7 @@ impl Options {
         };
         let named = self.functions.on(tree)?.into_iter();
         requests.extend(named.filter(|request| !is_selected(request)));
-        check_names(&requests).map_err(|fault| vec![fault])?;
+        names::check(&requests).map_err(|fault| vec![fault])?;
         Ok(requests)
     }
-}
-
-/// Refuses two functions of one name.
-fn check_names(requests: &[Request]) -> Result<(), RequestError> {
-    let mut known: BTreeMap<String, &Request> = BTreeMap::new();
-    for request in requests {
-        if let Some(first) = known.insert(request.name(), request) {
-            return Err(RequestError::SameName {
-                first: first.text(),
-                second: request.text(),
-                name: request.name(),
-            });
-        }
-    }
-    Ok(())
 }

@@ -70,10 +70,11 @@ pub fn canonical(tree: &Tree) -> String {
     }
     for frame in &tree.frames {
         let body = frame.body.map_or(0, |body| body.index() + 1);
-        let (name, axes, position) = (&frame.name, rotation(&frame.rotation), frame.position);
+        let (axes, position) = (rotation(&frame.rotation), frame.position);
+        let (name, identifier) = (&frame.name, &frame.identifier);
         line(
             &mut text,
-            format_args!("frame {name:?} of {body}{axes} {position:?}"),
+            format_args!("frame {name:?} as {identifier} of {body}{axes} {position:?}"),
         );
     }
     text
@@ -92,11 +93,12 @@ pub fn canonical_frame(tree: &Tree, frame: NamedFrame) -> Option<String> {
         offset(tree, &frame.pose.origin),
     );
     let turn = frame.turn.as_ref().map(|turn| values(tree, &turn.concat()));
-    let (name, turn) = (&frame.name, turn.unwrap_or_default());
+    let (name, identifier) = (&frame.name, &frame.identifier);
+    let turn = turn.unwrap_or_default();
     let mut text = String::new();
     line(
         &mut text,
-        format_args!("marker {name:?} of {body}{axes}{origin} turned{turn}"),
+        format_args!("marker {name:?} as {identifier} of {body}{axes}{origin} turned{turn}"),
     );
     Some(text)
 }

@@ -156,3 +156,22 @@ fn a_function_with_a_name_is_limited_by_it() {
     let (by_name, by_parts) = (evaluated("step"), evaluated("mass_matrix+bias"));
     assert_eq!((by_name.code, &by_name.out), (0, &by_parts.out));
 }
+
+#[test]
+fn a_function_of_a_frame_has_its_budget_however_the_list_writes_the_frame() {
+    for (name, listed) in [("Rod-A", "pose(rod_a)"), ("Rod-A", "pose(Rod-A)")] {
+        let project = Project::arm();
+        let model = project.read("models/arm.toml");
+        let first = model.split("name = \"").nth(2).unwrap();
+        let (body, _) = first.split_once('"').unwrap();
+        project.write("models/arm.toml", &model.replacen(body, name, 1));
+        let config = system("models/arm.toml", "generated/arm.rs");
+        let config = config.lines().filter(|line| !line.starts_with("functions"));
+        let own = format!("functions = [\"{listed}\"]\nbudget = {{ \"{listed}\" = 0 }}");
+        let config: Vec<&str> = config.chain(own.lines()).collect();
+        project.write("kane.toml", &config.join("\n"));
+        let ran = project.kane(&["generate"]);
+        let over = format!("total    {listed}  ");
+        assert!(ran.told().contains(&over), "{}", ran.told());
+    }
+}

@@ -165,6 +165,23 @@ fn coordinates_are_locked_by_the_names_that_they_are_listed_under() {
 }
 
 #[test]
+fn the_last_free_coordinate_is_locked_by_the_name_that_it_has_then() {
+    let hinge = "joint = [\"theta1\"]";
+    let sliding = "joint = [\"theta3\", \"s3\"]\njoint_name = \"slide\"";
+    let joints = [sliding, hinge, hinge];
+    let left = changed(joints, &lock("slide_s3", 0.1)).unwrap();
+    assert_eq!(left.coordinate_names()[0], "slide");
+    for name in ["slide", "slide_theta3"] {
+        let mut changes = lock("slide_s3", 0.1);
+        changes.lock.push((name.to_owned(), 0.2));
+        let tree = changed(joints, &changes).unwrap();
+        assert_eq!(tree.coordinate_names().len(), 2, "{name}");
+    }
+    // Which of both is meant is not said.
+    assert!(changed(joints, &lock("slide", 0.2)).is_err());
+}
+
+#[test]
 fn a_joint_is_not_both_locked_and_removed() {
     let joints = ["joint = [\"theta1\"]"; 3];
     let changes = Changes {

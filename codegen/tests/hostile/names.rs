@@ -3,7 +3,7 @@
 use kane_codegen::{
     config::Functions,
     description::{Reading, no_includes},
-    generate::generate,
+    generate::{Generated, generate},
     options::Options,
 };
 use kane_test_support::{
@@ -122,4 +122,52 @@ fn long_name_is_refused() {
         let shown = "name has 1000000 characters; expected at most 250\n";
         assert!(faults(file, &text).contains(shown), "{file}");
     }
+}
+
+/// What is said of these functions on a model whose joined names meet.
+fn asked(functions: &[&str]) -> Result<Generated, String> {
+    let masses = "mass = { runtime = 2.0 }";
+    let joint = "[\"theta1\", \"theta2\"]";
+    let bodies = ["a", "a_b", "c", "b_c", "b", "a_mass_b"].map(|name| (name, joint));
+    let model = system("[0, 0, 0, 0, 0, 0]", &bodies).replace("mass = 2.0", masses);
+    let files = Files::new("model.toml", &model);
+    let options = Options {
+        functions: Functions::Named(functions.iter().map(|&name| name.to_owned()).collect()),
+        ..Options::default()
+    };
+    let generated = generate(&files.model, "model.toml", &options, &no_includes);
+    generated.map_err(|fault| fault.to_string())
+}
+
+#[test]
+fn names_that_meet_where_they_are_joined_are_refused() {
+    let inertia = |of: &str| format!("operational_inverse_inertia({of})");
+    let (one, other) = (inertia("a, b_c"), inertia("a_b, c"));
+    let by_q = |name: &str, of: &str| format!("{name} = packed(d({of})/d(q))");
+    let constant = "D_A_B_C_OPERATIONAL_INVERSE_INERTIA_D_Q_PACKED_PLACES";
+    let [x, y] = [by_q("x", &one), by_q("y", &other)];
+    let fault = asked(&[&x, &y]).unwrap_err();
+    assert!(
+        fault.contains(&format!("both have the constant `{constant}`")),
+        "{fault}"
+    );
+    let masses = [
+        "x = hessian(bias; a_mass_b_mass)",
+        "y = hessian(bias; a_mass, b_mass)",
+    ];
+    let fault = asked(&masses).unwrap_err();
+    assert!(
+        fault.contains("`HESSIAN_BIAS_A_MASS_B_MASS_PLACES`"),
+        "{fault}"
+    );
+    let fault = asked(&[&format!("{one}+{other}")]).unwrap_err();
+    let output = "would be called `a_b_c_operational_inverse_inertia`";
+    assert!(fault.contains(output), "{fault}");
+    let fault = asked(&[&one, &other]).unwrap_err();
+    let function = "would both be called `a_b_c_operational_inverse_inertia`";
+    assert!(fault.contains(function), "{fault}");
+    // One constant of one thing, in two functions.
+    let again = x.replace("x = ", "z = ") + "+bias";
+    let module = asked(&[&x, &again]).unwrap().source;
+    assert_eq!(module.matches(&format!("pub const {constant}:")).count(), 1);
 }

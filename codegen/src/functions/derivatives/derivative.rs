@@ -32,6 +32,13 @@ pub enum DerivativeKind {
     Hessian,
 }
 
+impl DerivativeKind {
+    /// True for what leaves structural zeros out, and says in constants which entries it has.
+    pub fn is_packed(self) -> bool {
+        matches!(self, Self::PackedJacobian | Self::Hessian)
+    }
+}
+
 /// What is wanted of derivatives.
 #[derive(Clone, Copy)]
 pub(in crate::functions) struct Asked<'a> {
@@ -222,11 +229,10 @@ impl Derivative {
         of: (&[Output], usize),
         values: impl Fn(&Tree) -> Derived,
     ) -> Option<Arc<Sparsity>> {
-        let is_second = match self.kind {
-            DerivativeKind::PackedJacobian => false,
-            DerivativeKind::Hessian => true,
-            _ => return None,
-        };
+        if !self.kind.is_packed() {
+            return None;
+        }
+        let is_second = self.kind == DerivativeKind::Hessian;
         Some(self.sparsity.get_or_find(tree, || {
             let mut rows: Vec<BTreeSet<usize>> = Vec::new();
             let mut n_columns = 0;

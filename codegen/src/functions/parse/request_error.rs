@@ -186,6 +186,26 @@ pub enum RequestError {
         /// The name of both.
         name: String,
     },
+    /// Two outputs of one name, in one function.
+    #[error(
+        "two outputs of `{request}` would be called `{name}` in generated code; ask for them in two functions"
+    )]
+    SameOutput {
+        /// What was asked for.
+        request: String,
+        /// The name of both.
+        name: String,
+    },
+    /// Two constants of one name.
+    #[error("`{}` and `{}` would both have the constant `{name}` in generated code; rename one of the frames or values that they name", of[0], of[1])]
+    SameConstant {
+        /// What was asked for.
+        requests: [String; 2],
+        /// What the constants are of.
+        of: [String; 2],
+        /// The name of both.
+        name: String,
+    },
 }
 
 impl RequestError {
@@ -216,7 +236,9 @@ impl RequestError {
             | Self::Repeated { .. }
             | Self::Compact { .. }
             | Self::OwnArguments { .. }
-            | Self::SameName { .. } => None,
+            | Self::SameName { .. }
+            | Self::SameOutput { .. }
+            | Self::SameConstant { .. } => None,
         }
     }
 }

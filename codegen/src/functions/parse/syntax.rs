@@ -161,15 +161,20 @@ pub fn read(text: &str) -> Result<Sum, Unexpected> {
 /// assert_eq!(split(list).collect::<Vec<_>>(), ["bias", "velocity(tool0, local)"]);
 /// ```
 pub fn split(list: &str) -> impl Iterator<Item = &str> {
+    split_at(list, ',')
+}
+
+/// Takes a text apart at the separators that stand in no brackets and no quotes.
+pub(crate) fn split_at(text: &str, separator: char) -> impl Iterator<Item = &str> {
     let (mut depth, mut is_quoted) = (0_usize, false);
-    list.split(move |character| {
+    text.split(move |character| {
         match character {
             '"' => is_quoted = !is_quoted,
             '(' if !is_quoted => depth += 1,
             ')' if !is_quoted => depth = depth.saturating_sub(1),
             _ => {}
         }
-        character == ',' && depth == 0 && !is_quoted
+        character == separator && depth == 0 && !is_quoted
     })
 }
 

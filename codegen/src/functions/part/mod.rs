@@ -109,6 +109,21 @@ impl Part {
         self.name_of("speeds_len").to_uppercase()
     }
 
+    /// The constants that a module with it has, each with what it is of.
+    pub fn constants(&self) -> Vec<(String, String)> {
+        let subject = self.subject.as_ref();
+        let speeds = subject.filter(|_| self.function.has_frame_speeds());
+        let speeds = speeds.map(|subject| {
+            let frames = subject.frames.iter().map(|frame| written(&frame.name));
+            let frames: Vec<String> = frames.collect();
+            (self.speeds_constant(), frames.join(", "))
+        });
+        let derivative = self.derivative.as_ref();
+        let places = derivative.filter(|own| own.kind.is_packed());
+        let places = places.map(|_| (self.places_constant(), self.text()));
+        speeds.into_iter().chain(places).collect()
+    }
+
     /// What it is given besides the parameters.
     pub(super) fn arguments(&self) -> Vec<Argument> {
         let derivative = self.derivative.iter();

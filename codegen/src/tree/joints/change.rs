@@ -99,29 +99,49 @@ struct Lockable {
 fn lockable(description: &Description, joints: &[ResolvedJoint]) -> Vec<Lockable> {
     let mut known = Vec::new();
     for (body, joint) in joints.iter().enumerate() {
-        let is_named = description.bodies[body].joint.name.is_some();
         let are_coordinates = |motion: &usize| *motion > 2 || !joint.has_angular_velocity();
         for motion in joint.free().filter(are_coordinates) {
             let is_only = joint.leading == Some(motion);
-            let kind = CoordinateName::NAMES[motion];
-            let of_coordinate = if is_named && is_only {
-                joint.identifier.clone()
-            } else {
-                format!("{}_{kind}", joint.identifier)
-            };
-            let of_joint = joint_name(description, body).map(str::to_owned);
-            let of_joint = of_joint.filter(|name| is_only && *name != of_coordinate);
-            let names = [Some(of_coordinate), of_joint];
+            let names = names_of((description, joints), (body, motion), is_only);
             let motion = (body, motion);
-            known.extend(
-                names
-                    .into_iter()
-                    .flatten()
-                    .map(|name| Lockable { name, motion }),
-            );
+            known.extend(names.map(|name| Lockable { name, motion }));
         }
     }
     known
+}
+
+/// The names of a motion: that of its coordinate, and that of its joint where it is the only one.
+fn names_of(
+    (description, joints): (&Description, &[ResolvedJoint]),
+    (body, motion): (usize, usize),
+    is_only: bool,
+) -> impl Iterator<Item = String> {
+    let identifier = &joints[body].identifier;
+    let of_coordinate = if is_only && description.bodies[body].joint.name.is_some() {
+        identifier.clone()
+    } else {
+        format!("{identifier}_{}", CoordinateName::NAMES[motion])
+    };
+    let of_joint = joint_name(description, body).map(str::to_owned);
+    let of_joint = of_joint.filter(|name| is_only && *name != of_coordinate);
+    std::iter::once(of_coordinate).chain(of_joint)
+}
+
+/// The names that a joint's last free motion has once the others are locked.
+fn of_last(
+    (description, joints): (&Description, &[ResolvedJoint]),
+    free: &[Lockable],
+    locked: &Locked,
+    body: usize,
+) -> Vec<Lockable> {
+    let left = joints[body].free().map(|motion| (body, motion));
+    let left: Vec<_> = left.filter(|motion| !locked.contains_key(motion)).collect();
+    let [motion] = left[..] else {
+        return Vec::new();
+    };
+    let names = names_of((description, joints), motion, true);
+    let new = names.filter(|name| free.iter().all(|known| known.name != *name));
+    new.map(|name| Lockable { name, motion }).collect()
 }
 
 /// True for the name of a coordinate of an orientation that has an angular velocity.
@@ -149,6 +169,7 @@ fn locked(
             Ok((body, motion)) => {
                 free.retain(|known| known.motion != (body, motion));
                 locked.insert((body, motion), value + 0.0);
+                free.extend(of_last((description, joints), &free, &locked, body));
                 let (kind, shown) = (CoordinateName::NAMES[motion], shown(description, body));
                 let unit = if motion < 3 { "rad" } else { "m" };
                 let joint = description.bodies[body].joint.name.as_ref();
