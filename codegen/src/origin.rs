@@ -72,6 +72,13 @@ pub fn model_of(text: &[u8]) -> Option<String> {
     Some(model.to_owned())
 }
 
+/// The format of the generator that wrote a module; `None` where it does not stand there.
+pub fn format_of(module: &str) -> Option<u32> {
+    let (_, rest) = module.lines().nth(1)?.split_once(", format ")?;
+    let (format, _) = rest.split_once(';')?;
+    format.parse().ok()
+}
+
 /// The options in words above a module, as [`Origin::lines`] has them, one by one; none where they do not stand there.
 pub fn options_of(module: &str) -> Vec<String> {
     let line = module.lines().nth(1);

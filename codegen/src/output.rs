@@ -32,6 +32,8 @@ pub struct Staged {
     path: PathBuf,
     /// `None` where the file holds the text already: it is left alone, so that nothing is compiled again for it.
     file: Option<tempfile::NamedTempFile>,
+    /// The format of the file that it will replace, where that is newer than ours.
+    newer: Option<u32>,
 }
 
 impl Staged {
@@ -40,12 +42,17 @@ impl Staged {
         self.file.is_none()
     }
 
+    /// The format of the file that it will replace, where a newer generator wrote that.
+    pub fn replaces_newer(&self) -> Option<u32> {
+        self.newer
+    }
+
     /// Replaces the file, atomically.
     ///
     /// # Errors
     /// [`Error::Io`]. The old file is then as it was.
     pub fn commit(self) -> Result<(), Error> {
-        let Self { path, file } = self;
+        let Self { path, file, .. } = self;
         let renamed = file.map_or(Ok(()), |file| file.persist(&path).map(drop));
         renamed.map_err(|error| Error::Io {
             path,
@@ -77,9 +84,10 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
         path: path.to_owned(),
         source,
     };
-    let staged = |file| Staged {
+    let staged = |file, newer| Staged {
         path: path.to_owned(),
         file,
+        newer,
     };
     if text.len() > OUTPUT_BYTES {
         return Err(Error::OutputTooLarge {
@@ -93,8 +101,10 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
             path: path.to_owned(),
         });
     }
-    match read(path)? {
-        Some(old) if old == text.as_bytes() => return Ok(staged(None)),
+    let old = read(path)?;
+    let newer = old.as_deref().and_then(newer_format);
+    match old {
+        Some(old) if old == text.as_bytes() => return Ok(staged(None, None)),
         Some(_) if overwrite == Overwrite::Nothing => {
             return Err(Error::Exists {
                 path: path.to_owned(),
@@ -126,7 +136,13 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
     keep_permissions(path, file.path()).map_err(io)?;
     file.write_all(text.as_bytes()).map_err(io)?;
     file.as_file().sync_all().map_err(io)?;
-    Ok(staged(Some(file)))
+    Ok(staged(Some(file), newer))
+}
+
+/// The format of a text that a newer generator wrote.
+fn newer_format(text: &[u8]) -> Option<u32> {
+    let format = origin::format_of(&String::from_utf8_lossy(text))?;
+    (format > origin::OUTPUT_FORMAT).then_some(format)
 }
 
 fn folder(path: &Path) -> &Path {

@@ -9,6 +9,7 @@ use syn::{Expr, File};
 use super::{
     constants::{constant, entries, list, string},
     outline::coordinates,
+    places::Places,
 };
 use crate::{functions::PRESCRIBED, listing::constants, rust};
 
@@ -23,14 +24,15 @@ pub struct Meaning {
     pub new: String,
 }
 
-/// Compares the units of coordinates and which speeds are prescribed.
+/// Compares the units of coordinates, which speeds are prescribed, and which entries arrays have that leave some out.
 ///
 /// # Errors
 /// A text that is not Rust.
 pub fn meanings(old: &str, new: &str) -> Result<Vec<Meaning>, syn::Error> {
-    let old: BTreeMap<String, Said> = rust::read(old, |file| said(&file))?.into_iter().collect();
-    let new = rust::read(new, |file| said(&file))?.into_iter();
-    let changed = new.filter_map(|(name, new)| {
+    let read = |text| rust::read(text, |file| (said(&file), Places::of(&file)));
+    let ((old, old_places), (new, new_places)) = (read(old)?, read(new)?);
+    let old: BTreeMap<String, Said> = old.into_iter().collect();
+    let changed = new.into_iter().filter_map(|(name, new)| {
         let old = old.get(&name)?;
         // Places that moved, under names that stay, are told as such.
         let is_other = old.meaning != new.meaning && old.shown != new.shown;
@@ -40,7 +42,8 @@ pub fn meanings(old: &str, new: &str) -> Result<Vec<Meaning>, syn::Error> {
             new: new.shown,
         })
     });
-    Ok(changed.collect())
+    let places = old_places.changed(&new_places);
+    Ok(changed.chain(places).collect())
 }
 
 /// What a module says of a place: what it means whatever names are, and that for people.

@@ -13,6 +13,7 @@ mod outline;
 mod partitions;
 mod pattern;
 mod picture;
+mod places;
 mod svg;
 
 pub use crate::listing::Counted;

@@ -204,7 +204,7 @@ fn options_that_were_forgotten_are_named() {
     assert_eq!(project.kane(&generate).code, 0);
     let ran = project.kane(&["check", "arm.toml"]);
     assert_eq!(ran.code, 1);
-    let told = "arm.rs was generated with other options: functions: default, jvp(bias; q, u); snap: 1e-5\n";
+    let told = "arm.rs was generated with other options: functions: default, jvp(bias; q, u); snap: 1e-5; asked for: snap: 1e-9\n";
     assert!(ran.out.contains(told), "{}", ran.out);
 }
 

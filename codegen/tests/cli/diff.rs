@@ -116,9 +116,9 @@ fn renamed_joint_moves_nothing() {
     });
     assert_eq!(code, 1);
     insta::assert_snapshot!(said, @"
-    names in q
+    names in q and in C headers
       renamed  fore_theta2 -> elbow  2
-    names in u
+    names in u and in C headers
       renamed  fore_theta2_dot -> elbow_dot  2
     bodies and joints
       added    fore: joint_name  elbow
@@ -134,11 +134,11 @@ fn renamed_body_keeps_its_places() {
     assert_eq!(code, 1);
     let (said, _) = said.split_once("operations").unwrap();
     insta::assert_snapshot!(said, @"
-    names in arrays over bodies
+    names in arrays over bodies and in C headers
       renamed  fore -> shank  1
-    names in q
+    names in q and in C headers
       renamed  fore_theta2 -> shank_theta2  2
-    names in u
+    names in u and in C headers
       renamed  fore_theta2_dot -> shank_theta2_dot  2
     values
       changed  shank: mass  1.5 -> 1.25

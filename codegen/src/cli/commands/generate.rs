@@ -11,6 +11,7 @@ use kane_codegen::{
     diagnostic::{count, first_few},
     error::Error,
     generate::Generated,
+    origin::OUTPUT_FORMAT,
     output::{self, Overwrite, Staged},
 };
 
@@ -88,6 +89,14 @@ pub(crate) fn run(
     }
     let paths: Vec<PathBuf> = selected.jobs.iter().flat_map(Job::files).collect();
     let n_files = files.len();
+    for (path, staged) in &files {
+        if let Some(newer) = staged.replaces_newer() {
+            let path = path.display();
+            voice.say(format_args!(
+                "warning: {path} was written by a newer kane, in format {newer}; this one writes format {OUTPUT_FORMAT}"
+            ));
+        }
+    }
     let written = commit(files, voice)?;
     output::sweep(paths.iter().map(PathBuf::as_path));
     if n_files > 0 {

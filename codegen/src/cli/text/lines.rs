@@ -147,7 +147,9 @@ fn masked(line: &str) -> String {
             character.len_utf8()
         };
         let (token, after) = rest.split_at(length);
-        let is_real = starts && token.contains(['.', 'e', 'E']);
+        // A hash changes with them, whichever digits it has.
+        let is_hash = token.starts_with("0x");
+        let is_real = starts && (is_hash || token.contains(['.', 'e', 'E']));
         shown.push_str(if is_real { "#" } else { token });
         previous = token.chars().next_back().unwrap_or(' ');
         rest = after;

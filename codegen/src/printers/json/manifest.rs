@@ -8,8 +8,8 @@ use super::{
 };
 use crate::{
     functions::{N_BODIES, N_COORDINATES, N_SPEEDS},
-    generate::OUTPUT_FORMAT,
     listing::{Facts, Function, Module},
+    origin::OUTPUT_FORMAT,
     program::Operations,
     tree::Parameter,
 };

@@ -1,5 +1,7 @@
 //! What differs between two models or modules, and between what.
 
+use std::collections::BTreeMap;
+
 use kane_codegen::{
     origin,
     report::{self, Comparison, Differences, Meaning, Redeclared},
@@ -19,8 +21,8 @@ pub(super) struct Report {
     pub(super) redeclared: Vec<Redeclared>,
     /// Places that mean something else.
     pub(super) meanings: Vec<Meaning>,
-    /// Options of the old and of the new text alone, but for functions, which are told one by one.
-    pub(super) options: [Vec<String>; 2],
+    /// Options that the texts do not have alike, by their keys, but for functions, which are told one by one.
+    pub(super) options: BTreeMap<String, [Option<String>; 2]>,
     /// The models that the texts name, where these differ.
     pub(super) moved: Option<[String; 2]>,
     /// The unified diff of the texts; empty where they are the same.
@@ -63,17 +65,16 @@ impl Report {
     }
 }
 
-fn options(texts: [&str; 2]) -> [Vec<String>; 2] {
-    let [old, new] = texts.map(|text| {
-        let mut options = origin::options_of(text);
-        options.retain(|option| !option.starts_with("functions: "));
-        options
-    });
-    let without = |own: &[String], other: &[String]| -> Vec<String> {
-        let own = own.iter().filter(|option| !other.contains(option));
-        own.cloned().collect()
-    };
-    [without(&old, &new), without(&new, &old)]
+fn options(texts: [&str; 2]) -> BTreeMap<String, [Option<String>; 2]> {
+    let mut both: BTreeMap<String, [Option<String>; 2]> = BTreeMap::new();
+    for (place, text) in texts.into_iter().enumerate() {
+        for option in origin::options_of(text) {
+            let (key, value) = option.split_once(": ").unwrap_or((&option, ""));
+            both.entry(key.to_owned()).or_default()[place] = Some(value.to_owned());
+        }
+    }
+    both.retain(|key, [old, new]| key != "functions" && old != new);
+    both
 }
 
 fn moved(texts: [&str; 2]) -> Option<[String; 2]> {

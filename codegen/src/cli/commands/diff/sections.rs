@@ -1,7 +1,5 @@
 //! What differs, for people: in a terminal, and as tables for a pull request.
 
-use std::collections::BTreeMap;
-
 use kane_codegen::report::{
     Body, Comparison, Differences, LayoutChange, Meaning, Redeclared, ValueChange,
 };
@@ -142,7 +140,7 @@ fn note(report: &Report) -> Option<String> {
     // Frames that only mark a place are no part of what is hashed.
     let says_the_same = old == new && report.differences.values.is_empty();
     let is_same_model = old.is_some() && says_the_same && !report.is_same();
-    let has_options = !report.options.iter().all(Vec::is_empty);
+    let has_options = !report.options.is_empty();
     let how = match &report.moved {
         _ if has_options => "options differ".to_owned(),
         Some([old, new]) if report.functions == Comparison::default() => {
@@ -188,30 +186,16 @@ fn sections(report: &Report) -> Vec<Section> {
     let values = values.into_iter().map(value).collect();
     push(&mut sections, "bodies and joints", bodies);
     push(&mut sections, "values", values);
-    push(&mut sections, "options", options(&report.options));
+    let options = report.options.iter();
+    let options =
+        options.map(|(key, [old, new])| came_or_went(key.clone(), old.as_deref(), new.as_deref()));
+    push(&mut sections, "options", options.collect());
     push(
         &mut sections,
         "operations",
         operations::rows(&report.functions),
     );
     sections
-}
-
-/// Options of which the old, the new or both texts have a value of their own.
-fn options([old, new]: &[Vec<String>; 2]) -> Vec<Row> {
-    let split = |option: &str| -> (String, String) {
-        let (key, value) = option.split_once(": ").unwrap_or((option, ""));
-        (key.to_owned(), value.to_owned())
-    };
-    let mut both: BTreeMap<String, [Option<String>; 2]> = BTreeMap::new();
-    for (place, options) in [old, new].into_iter().enumerate() {
-        for (key, value) in options.iter().map(|option| split(option)) {
-            both.entry(key).or_default()[place] = Some(value);
-        }
-    }
-    let both = both.into_iter();
-    both.map(|(key, [old, new])| came_or_went(key, old.as_deref(), new.as_deref()))
-        .collect()
 }
 
 fn layout(change: &LayoutChange) -> Section {
@@ -232,7 +216,7 @@ fn layout(change: &LayoutChange) -> Section {
         title: if change.is_breaking() {
             format!("BREAKING: the places in {array} changed")
         } else {
-            format!("names in {array}")
+            format!("names in {array} and in C headers")
         },
         rows: added.chain(removed).chain(moved).chain(renamed).collect(),
     }

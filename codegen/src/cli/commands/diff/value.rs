@@ -41,6 +41,7 @@ pub(super) fn of_report(report: &Report) -> Value {
             "removed": functions.removed.iter().map(function).collect::<Value>(),
             "redeclared": report.redeclared.iter().map(redeclared).collect::<Value>(),
         },
+        "options": report.options.iter().map(option).collect::<Value>(),
         "meanings": report.meanings.iter().map(meaning).collect::<Value>(),
         "diff": report.diff,
     })
@@ -48,6 +49,10 @@ pub(super) fn of_report(report: &Report) -> Value {
 
 fn redeclared(change: &Redeclared) -> Value {
     json!({ "name": change.name, "old": change.old, "new": change.new })
+}
+
+fn option((key, [old, new]): (&String, &[Option<String>; 2])) -> Value {
+    json!({ "key": key, "old": old, "new": new })
 }
 
 fn meaning(change: &Meaning) -> Value {
