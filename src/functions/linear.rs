@@ -60,7 +60,9 @@ pub trait LinearJacobianPacked<R: Real, F>: System<R> {
     fn linear_jacobian_packed(&self, q: &Self::Q, linear: &mut [Self::Columns; 3]);
 }
 
-/// The rate of the [`LinearJacobian`] of the frame `F` times `u`: its [`LinearAcceleration`] for `u_dot = 0`.
+/// The [`LinearAcceleration`] of the frame `F` for `u_dot = 0`: what the [`LinearJacobian`] times `u_dot` lacks of it, along the same axes.
+///
+/// Along inertial axes it is the rate of the Jacobian times `u`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `linear_jacobian_dot_u(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]

@@ -87,11 +87,10 @@ impl Revision {
             source,
         })?;
         if !output.status.success() {
-            let told = String::from_utf8_lossy(&output.stderr);
             return Err(Failures::message(format!(
                 "git has no file `{}`: {}",
                 object.escaped(),
-                told.trim()
+                told(&output)
             )));
         }
         Ok(found)
@@ -139,10 +138,42 @@ impl fmt::Display for Revision {
     }
 }
 
-/// True where the current folder is in a repository.
-pub(crate) fn is_repository() -> bool {
-    let output = git(&["rev-parse", "--git-dir"]);
-    output.is_ok_and(|output| output.status.success())
+/// Why a name is no revision, and what to do.
+pub(crate) fn why_no_revision(name: &str) -> String {
+    let output = match git(&["rev-parse", "--is-shallow-repository"]) {
+        Ok(output) => output,
+        Err(error) => return format!(", for git cannot be run: {error}; expected two files"),
+    };
+    if !output.status.success() {
+        let told = told(&output);
+        return if told.contains("not a git repository") {
+            ", for this folder is in no git repository; expected two files".to_owned()
+        } else {
+            format!(": {told}")
+        };
+    }
+    if let Some((old, new)) = name.split_once("...").or_else(|| name.split_once("..")) {
+        let or_head = |name: &str| if name.is_empty() { "HEAD" } else { name }.escaped();
+        let (old, new) = (or_head(old), or_head(new));
+        return format!("; expected two revisions apart: `kane diff {old} {new}`");
+    }
+    if !is_commit("HEAD") {
+        return ", for the repository has no commit yet; expected two files".to_owned();
+    }
+    let shallow = match output.stdout.trim_ascii() {
+        b"true" => "; this clone lacks older commits, which `git fetch --unshallow` gets",
+        _ => "",
+    };
+    format!(
+        "; expected one, or a second file to compare it with; `kane diff HEAD` compares all systems with the last commit{shallow}"
+    )
+}
+
+/// What git told of its failure, in one line.
+fn told(output: &Output) -> String {
+    let told = String::from_utf8_lossy(&output.stderr);
+    let lines = told.lines().map(str::trim).filter(|line| !line.is_empty());
+    lines.collect::<Vec<_>>().join(" ")
 }
 
 /// True for the name of a commit.
@@ -164,7 +195,8 @@ fn git(arguments: &[&str]) -> io::Result<Output> {
 
 fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new("git");
-    command.args(arguments);
+    // What it tells stands in our messages, which are in English.
+    command.args(arguments).env("LC_ALL", "C");
     command
 }
 

@@ -50,6 +50,11 @@ impl Faults {
         }
     }
 
+    /// True once there is an error among them.
+    pub fn has_errors(&self) -> bool {
+        self.n_errors > 0
+    }
+
     /// Those that are told, in the order in which they were found.
     pub fn into_told(self) -> Vec<Diagnostic> {
         self.told

@@ -8,21 +8,11 @@ use syn::{Expr, File};
 
 use super::{
     constants::{constant, entries, list, string},
+    meaning::Meaning,
     outline::coordinates,
     places::Places,
 };
 use crate::{functions::PRESCRIBED, listing::constants, rust};
-
-/// A place that means something else.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Meaning {
-    /// What it is called.
-    pub name: String,
-    /// What it means in the old module.
-    pub old: String,
-    /// What it means in the new module.
-    pub new: String,
-}
 
 /// Compares the units of coordinates, which speeds are prescribed, and which entries arrays have that leave some out.
 ///

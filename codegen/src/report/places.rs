@@ -10,7 +10,7 @@ use syn::{Expr, File, Item};
 
 use super::{
     constants::{constant, entries, field, list, string},
-    meanings::Meaning,
+    meaning::Meaning,
 };
 use crate::{
     functions::{N_BODIES, N_SPEEDS},

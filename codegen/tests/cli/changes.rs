@@ -409,3 +409,17 @@ fn several_names_in_one_are_told_apart() {
     let coordinates = "the coordinates of that joint are upper_theta1, upper_s2";
     assert!(told("--lock", "upper").contains(coordinates));
 }
+
+#[test]
+fn changes_of_a_model_that_cannot_be_read_are_not_told_too() {
+    let project = Project::empty();
+    project.write("arm.toml", "name = ");
+    project.write("arm.urdf", "<robot name=\"arm\"><link name=\"a\">");
+    project.write("arm.xml", "<mujoco><include file=\"bodies.xml\"/></mujoco>");
+    for model in ["arm.toml", "arm.urdf", "arm.xml"] {
+        let changes = ["--lock", "elbow=0.5", "--remove", "wrist"];
+        let ran = project.kane(&[&["info", model][..], &changes].concat());
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+        assert_eq!(ran.err.matches("error: ").count(), 1, "{}", ran.err);
+    }
+}

@@ -193,6 +193,14 @@ fn what_is_no_revision_and_has_nothing_beside_it_is_said() {
             "`main~9` is no git revision; expected one, or a second file to compare it with; `kane diff HEAD` compares all systems with the last commit",
         ),
         (
+            &["HEAD~1..HEAD"],
+            "`HEAD~1..HEAD` is no git revision; expected two revisions apart: `kane diff HEAD~1 HEAD`",
+        ),
+        (
+            &["main..."],
+            "`main...` is no git revision; expected two revisions apart: `kane diff main HEAD`",
+        ),
+        (
             &["HEAD", "models/arm.toml"],
             "`HEAD` is a git revision, `models/arm.toml` is a file; expected two revisions, or two files, of which one may be `REVISION:PATH`",
         ),
@@ -222,6 +230,21 @@ fn folder_in_no_repository_has_no_revisions() {
             "error: `HEAD` is no git revision, for this folder is in no git repository; expected two files\n"
         )
     );
+}
+
+#[test]
+fn why_git_knows_no_revision_is_told() {
+    let project = Project::arm();
+    project.git(&["init", "--quiet"]);
+    let ran = project.kane(&["diff", "HEAD"]);
+    let told = "error: `HEAD` is no git revision, for the repository has no commit yet; expected two files\n";
+    assert_eq!((ran.code, ran.err.as_str()), (2, told));
+    let mut command = project.command();
+    command.args(["diff", "HEAD"]).env("PATH", "/nowhere");
+    let ran: Ran = command.output().unwrap().into();
+    assert_eq!(ran.code, 2);
+    let told = "error: `HEAD` is no git revision, for git cannot be run: ";
+    assert!(ran.err.starts_with(told), "{}", ran.err);
 }
 
 #[test]

@@ -292,6 +292,7 @@ files! { FILES, description_is_refused:
     frame_that_is_no_rotation
     frame_that_is_no_rotation_at_run_time
     frame_twice
+    frame_with_entries_at_run_time
     frame_with_unknown_key
     frame_without_name
     frames_with_several_faults

@@ -104,6 +104,7 @@ files! {
     sphere_with_fromto
     spring_damper
     spring_that_yields
+    springref_of_no_spring
     tendon_with_damping_of_a_class
     tendon_with_stiffness
     too_many_freedoms

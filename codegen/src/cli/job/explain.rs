@@ -70,14 +70,16 @@ impl Job {
         }
     }
 
-    /// Reasons, and what else cannot be had.
-    pub(super) fn with_lacking(&self, mut reasons: Failures) -> Failures {
-        reasons.add(self.lacking());
-        reasons
+    /// The same, and what else cannot be had.
+    pub(super) fn explained_with_lacking(&self, error: Error) -> Failures {
+        let are_prescribed_told = matches!(error, Error::Prescribed(_));
+        let mut failures = self.explained(error);
+        failures.add(self.lacking(are_prescribed_told));
+        failures
     }
 
     /// What is asked for and cannot be had, whatever is wrong with the changes: as of the model without them.
-    fn lacking(&self) -> Failures {
+    fn lacking(&self, are_prescribed_told: bool) -> Failures {
         let mut failures = Failures::default();
         let Ok(source) = read(&self.model) else {
             return failures;
@@ -92,6 +94,9 @@ impl Job {
         };
         let requests = self.options.requests(&tree).map_err(Error::Requests);
         failures.keep(requests.map_err(|error| self.explained(error)));
+        if are_prescribed_told {
+            return failures;
+        }
         let prescribed = tree::prescribe(&description, tree, &self.options.prescribed);
         let prescribed = prescribed.map_err(Error::Prescribed);
         failures.keep(prescribed.map_err(|error| self.explained(error)));

@@ -92,10 +92,14 @@ impl Job {
 
     /// Reads the model, checks it and makes the changes.
     pub(crate) fn checked(&self) -> Result<Model, Failures> {
+        self.checked_or(|error| self.explained(error))
+    }
+
+    fn checked_or(&self, explained: impl Fn(Error) -> Failures) -> Result<Model, Failures> {
         let source = read(&self.model).map_err(|error| self.unreadable(error))?;
         let description = description::read(&source, &self.options.reading, &include(&self.model));
         let checked = generate::checked(&description, &self.options);
-        let Checked { tree, warnings } = checked.map_err(|error| self.explained(error))?;
+        let Checked { tree, warnings } = checked.map_err(explained)?;
         Ok(Model {
             description,
             tree,
@@ -105,9 +109,7 @@ impl Job {
 
     /// The same, and checks what is asked of it, without generating anything.
     pub(crate) fn check_model(&self) -> Result<(), Failures> {
-        let Model { tree, .. } = self
-            .checked()
-            .map_err(|failures| self.with_lacking(failures))?;
+        let Model { tree, .. } = self.checked_or(|error| self.explained_with_lacking(error))?;
         let requests = self.options.requests(&tree);
         requests.map_err(|faults| self.explained(Error::Requests(faults)))?;
         Ok(())
@@ -223,5 +225,5 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
     let source = read(&job.model).map_err(|error| job.unreadable(error))?;
     let include = include(&job.model);
     let generated = generate::generate(&source, &job.shown, &job.options, &include);
-    generated.map_err(|error| job.with_lacking(job.explained(error)))
+    generated.map_err(|error| job.explained_with_lacking(error))
 }

@@ -50,15 +50,17 @@ fn read<'d>(
     source: &Source,
     beside: Beside<'d>,
 ) -> Option<Description> {
+    let all_included = !reader.faults.has_errors();
     let models = Models::read(reader, files, root, beside)?;
     let main = models.main();
     beside_bodies::read(reader, main);
     if main.named("worldbody").is_empty() {
-        // What names a body would be told as a consequence.
-        let fault = Diagnostic::error("the model has no `worldbody`");
-        reader
-            .faults
-            .push(fault.at(root.span(), "expected one, with the bodies"));
+        // What names a body would be told as a consequence, and this as one of a file that is missing.
+        if all_included {
+            let fault = Diagnostic::error("the model has no `worldbody`");
+            let fault = fault.at(root.span(), "expected one, with the bodies");
+            reader.faults.push(fault);
+        }
         return None;
     }
     let found = bodies::read(reader, &models);

@@ -23,10 +23,15 @@ pub(super) fn scalar(reader: &mut Reader, item: &Item<'_>, what: &str) -> Given<
     Some(Spanned::new(Scalar::Runtime(number.value), number.span))
 }
 
+/// True for `{ runtime = .. }`.
+pub(super) fn is_at_run_time(item: &Item<'_>) -> bool {
+    let table = item.get_ref().as_table();
+    table.is_some_and(|table| table.contains_key("runtime"))
+}
+
 /// A number that is the same at every run.
 pub(super) fn constant(reader: &mut Reader, item: &Item<'_>, what: &str) -> Optional<f64> {
-    let table = item.get_ref().as_table();
-    if table.is_some_and(|table| table.contains_key("runtime")) {
+    if is_at_run_time(item) {
         let fault =
             format!("{what} is a table; it must be a number, for it cannot be set at run time");
         let fault = Diagnostic::error(fault).at(span(item), "expected a number");
@@ -38,6 +43,14 @@ pub(super) fn constant(reader: &mut Reader, item: &Item<'_>, what: &str) -> Opti
 
 /// Three scalars.
 pub(super) fn vector(reader: &mut Reader, item: &Item<'_>, what: &str) -> [Given<Scalar>; 3] {
+    if is_at_run_time(item) {
+        let fault = format!(
+            "{what} is a table; expected a list, in which any number may be `{{ runtime = 0.0 }}`"
+        );
+        let fault = Diagnostic::error(fault).at(span(item), "expected a list of 3 numbers");
+        reader.faults.push(fault);
+        return [None; 3];
+    }
     let three = three(reader, item, what, "numbers", scalar);
     three.unwrap_or([None; 3])
 }

@@ -1,7 +1,7 @@
 //! Words that users look for and that name no function and no frame.
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 23] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 25] = [
     (
         "`jacobian(FRAME)` is about the frame's origin, along inertial axes; none is about the inertial origin",
         &["spatialjacobian"],
@@ -51,10 +51,19 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 23] = [
             "osim",
             "effectivemass",
             "taskinertia",
+            "taskspaceinertia",
             "operationalinertia",
             "operationalspaceinertia",
             "operationalspaceinertiamatrix",
         ],
+    ),
+    (
+        "velocities and accelerations from another frame follow from `jacobian(FRAME, OTHER)` and `jvp(jacobian(FRAME, OTHER); q)`",
+        &["relativevelocity", "relativeacceleration"],
+    ),
+    (
+        "add `generalized_forces` to `tau` of `hybrid_dynamics`, and take it from the forces that are found of prescribed speeds",
+        &["loadedhybriddynamics"],
     ),
     (
         "a tool is a frame of the model, as in `pose(FRAME)` and `jacobian(FRAME)`",

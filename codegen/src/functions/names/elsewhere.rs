@@ -2,7 +2,7 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, what to say beside them, and other names of the same, or of what differs as that says.
-pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
+pub(super) const REQUESTS: [(&str, &str, &[&str]); 67] = [
     (
         "inverse_dynamics",
         "",
@@ -86,6 +86,7 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
             "mjfactorm",
             "cholesky",
             "choleskydecompose",
+            "massmatrixcholesky",
             "qld",
             "sparsefactorizeltl",
         ],
@@ -193,6 +194,11 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
     ),
     ("jacobian(FRAME, local)", "", &["bodyjacobian", "jacobe"]),
     (
+        "jacobian(FRAME, OTHER)",
+        "",
+        &["relativejacobian", "jacobianrelative"],
+    ),
+    (
         "linear_jacobian(FRAME)",
         "",
         &[
@@ -212,11 +218,13 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
             "biasspatialacceleration",
             "drift",
             "driftacceleration",
+            "accelerationbias",
+            "biasacceleration",
         ],
     ),
     (
         "jvp(jacobian(FRAME); q)",
-        "with `u` for `q_direction`; times `u` it is `jacobian_dot_u(FRAME)`",
+        "with `u` for `q_direction`; times `u` it is `jacobian_dot_u(FRAME)`, along inertial axes",
         &[
             "jdot",
             "jacobiandot",
@@ -233,7 +241,16 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
         "",
         &["biastranslationalacceleration"],
     ),
-    ("generalized_force(FRAME)", "", &["mjapplyft", "wrench"]),
+    (
+        "generalized_force(FRAME)",
+        "",
+        &[
+            "mjapplyft",
+            "wrench",
+            "jacobiantranspose",
+            "transposedjacobian",
+        ],
+    ),
     (
         "operational_inverse_inertia(FRAME)",
         "",
@@ -351,6 +368,7 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 66] = [
         &[
             "dataf",
             "cfrcint",
+            "loadedjointwrenches",
             "reaction",
             "reactions",
             "reactionforces",

@@ -21,8 +21,24 @@ pub(in crate::functions) struct ParsedSubject {
     pub(in crate::functions) view: View,
 }
 
-/// What may stand behind the frame of most functions.
-const VIEW: &str = "expected `local`, for the frame's own axes; what is seen from another frame is `jacobian(F, G)`, times `u`";
+/// What may stand behind the frame of most functions, and how what is seen from another frame is had.
+fn view(function: &Function) -> &'static str {
+    match function.name {
+        "velocity" => {
+            "expected `local`, for the frame's own axes; what is seen from another frame is `jacobian(F, G)` times `u`"
+        }
+        "acceleration" => {
+            "expected `local`, for the frame's own axes; what is seen from another frame is `jacobian(F, G)` times `u_dot`, and `jvp(jacobian(F, G); q)`, with `u` for `q_direction`, times `u`"
+        }
+        "jacobian_dot_u" => {
+            "expected `local`, for the frame's own axes; what is seen from another frame is `jvp(jacobian(F, G); q)`, with `u` for `q_direction`, times `u`"
+        }
+        "generalized_force" => {
+            "expected `local`, for the frame's own axes; of a wrench between two frames it is `jacobian(F, G)`, transposed, times the wrench"
+        }
+        _ => "expected `local`, for the frame's own axes",
+    }
+}
 
 /// What several frames may be meant for.
 const SEVERAL: &str = "expected no more than one frame, from which the motion is seen; functions of several frames are joined, \
@@ -51,7 +67,7 @@ impl ParsedSubject {
             [word] if has_other && word.is(LOCAL) => return fault(word, "expected another frame"),
             [other] if has_other => (vec![frame, other], View::Other),
             [word, ..] if views.len() == 1 => return fault(word, "expected nothing there"),
-            [word] => return fault(word, VIEW),
+            [word] => return fault(word, view(function)),
             [_, word, ..] if has_other => return fault(word, SEVERAL),
             [_, word, ..] => return fault(word, "expected no more than `local`"),
         };

@@ -104,17 +104,8 @@ pub(crate) fn run(
 
 /// The only argument names no revision.
 fn no_revision(argument: &Path) -> Failures {
-    let argument = quoted(argument);
-    Failures::message(if git::is_repository() {
-        format!(
-            "{argument} is no git revision; expected one, or a second file to compare it with; `kane diff HEAD` compares all \
-             systems with the last commit"
-        )
-    } else {
-        format!(
-            "{argument} is no git revision, for this folder is in no git repository; expected two files"
-        )
-    })
+    let why = git::why_no_revision(&argument.to_string_lossy());
+    Failures::message(format!("{} is no git revision{why}", quoted(argument)))
 }
 
 /// Only one of the arguments names a revision.

@@ -68,10 +68,8 @@ pub(in crate::description::mjcf) fn dynamics(
     if has_spring {
         yielding(reader, given);
     }
-    let rest = has_spring
-        .then(|| given.number(reader, "springref"))
-        .flatten();
-    let rest = rest.map(|rest| {
+    let rest = given.number(reader, "springref");
+    let rest = rest.filter(|_| has_spring).map(|rest| {
         let angle = angle_unit(kind, settings).radians(rest.value);
         Spanned::new(angle, rest.span)
     });

@@ -1,0 +1,12 @@
+//! A place whose name two modules share.
+
+/// A place that means something else.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Meaning {
+    /// What it is called.
+    pub name: String,
+    /// What it means in the old module.
+    pub old: String,
+    /// What it means in the new module.
+    pub new: String,
+}
