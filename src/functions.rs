@@ -97,6 +97,7 @@
 //! | times a direction, of the parameters too | [`ForwardDynamicsParametersJvp`] | [`InverseDynamicsParametersJvp`] |
 //! | a multiplier times these | [`ForwardDynamicsParametersVjp`] | [`InverseDynamicsParametersVjp`] |
 //!
+//! Under loads that stay, forward dynamics have [`LoadedForwardDynamicsAndDerivatives`], [`LoadedForwardDynamicsJvp`] and [`LoadedForwardDynamicsVjp`].
 //! Those with `Parameters` in their names need a [`Parametric`](crate::Parametric) system, which makes systems from arrays of values.
 //!
 //! ```
@@ -485,7 +486,8 @@ pub use derivatives::{
     ForwardDynamicsJvp, ForwardDynamicsParametersJvp, ForwardDynamicsParametersVjp,
     ForwardDynamicsVjp, InverseDynamicsAndDerivatives, InverseDynamicsByParameters,
     InverseDynamicsDerivatives, InverseDynamicsJvp, InverseDynamicsParametersJvp,
-    InverseDynamicsParametersVjp, InverseDynamicsVjp,
+    InverseDynamicsParametersVjp, InverseDynamicsVjp, LoadedForwardDynamicsAndDerivatives,
+    LoadedForwardDynamicsJvp, LoadedForwardDynamicsVjp,
 };
 pub use frames::{
     Acceleration, GeneralizedForce, Imu, Jacobian, JacobianDotU, JacobianPacked, Local,

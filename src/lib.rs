@@ -52,6 +52,7 @@
 //! | the place of a name in `q`, `u` or the bodies | [`place`] |
 //! | the orientation error of a controller, rotation vectors for costs of poses | [`rotation`] |
 //! | discrete steps with their derivatives, for regulators and planners | [`discrete`], [`manifold`] |
+//! | steps under a push, or with joints that something drives | [`conditions`] |
 //! | the tests that `kane generate --with-tests` writes | [`self_test`] |
 //!
 //! # Features
@@ -116,6 +117,7 @@ pub mod batch;
 #[cfg(feature = "std")]
 pub mod chart;
 pub mod checked;
+pub mod conditions;
 pub mod discrete;
 pub mod integrate;
 pub mod inverse_kinematics;

@@ -27,6 +27,17 @@ const BY_PARAMETERS: [&str; 3] = [
     "vjp(forward_dynamics; q, u, tau, parameters)",
 ];
 
+/// What steps under loads are made of, and of systems with driven joints; and for tests what these are compared with.
+const UNDER_CONDITIONS: [&str; 7] = [
+    "loaded_forward_dynamics",
+    "loaded_forward_dynamics+d(loaded_forward_dynamics)/d(q, u, tau)",
+    "jvp(loaded_forward_dynamics; q, u, tau)",
+    "vjp(loaded_forward_dynamics; q, u, tau)",
+    "hybrid_dynamics",
+    "generalized_forces",
+    "loaded_inverse_dynamics",
+];
+
 /// The other derivatives for which the runtime has traits: for tests.
 const OTHERS: [&str; 8] = [
     "d(forward_dynamics)/d(q, u, tau)",
@@ -46,7 +57,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         .functions(of_steps.clone().chain(OTHERS))
         .run()?;
     Build::new("models/tumbler.toml")
-        .functions(of_steps)
+        .functions(of_steps.chain(UNDER_CONDITIONS))
+        .prescribed("tail")
         .run()?;
     // Its derivatives as a whole are ten times as long as their products with a direction.
     Build::new("../../models/eight_body.toml")

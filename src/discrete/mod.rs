@@ -22,6 +22,8 @@
 //!
 //! `step`, `linearized`, `linearized_and_by_parameters` and the two `forward` functions move `q` and `u`; the others leave them.
 //!
+//! Under loads, or with joints that something drives, [`conditions`](crate::conditions) takes the system's place.
+//!
 //! The derivatives are those of the computed step, up to rounding, not those of the exact motion. `forward` and `adjoint` build no matrix,
 //! so the gradient of a long motion costs a few times as much as the motion. The functions check and allocate nothing. Matrices are on the
 //! stack: `linearized` needs eleven matrices of `NU` by `NU` in `rk4`, and in `euler` none but those that it writes. `by_parameters` in `rk4`

@@ -147,6 +147,69 @@ pub trait ForwardDynamicsParametersVjp<R: Real>: Parametric<R> {
     );
 }
 
+/// [`LoadedForwardDynamics`](super::LoadedForwardDynamics) and its derivatives by `q`, `u` and `tau`, for loads that stay:
+/// `"loaded_forward_dynamics + d(loaded_forward_dynamics)/d(q, u, tau)"`.
+///
+/// With [`Loaded`](crate::conditions::Loaded), [`discrete`](crate::discrete) makes derivatives of steps of it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `loaded_forward_dynamics+d(loaded_forward_dynamics)/d(q, u, tau)`; name this sum in `functions`, in this order and with no other part, and generate again"
+)]
+pub trait LoadedForwardDynamicsAndDerivatives<R: Real>: System<R> {
+    /// Overwrites the last four arguments; meaning and units are those of [`LoadedForwardDynamicsAndDerivatives`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn loaded_forward_dynamics_and_d_loaded_forward_dynamics_d_q_u_tau(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        tau: &Self::U,
+        loads: &Self::Loads,
+        u_dot: &mut Self::U,
+        du_dot_dq: &mut Self::Matrix,
+        du_dot_du: &mut Self::Matrix,
+        du_dot_dtau: &mut Self::Matrix,
+    );
+}
+
+/// Like [`ForwardDynamicsJvp`], under loads that stay: `"jvp(loaded_forward_dynamics; q, u, tau)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `jvp(loaded_forward_dynamics; q, u, tau)`; name it in `functions`, alone and not in a sum, and generate again"
+)]
+pub trait LoadedForwardDynamicsJvp<R: Real>: System<R> {
+    /// Overwrites the last argument; meaning and units are those of [`LoadedForwardDynamicsJvp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn jvp_loaded_forward_dynamics_q_u_tau(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        tau: &Self::U,
+        loads: &Self::Loads,
+        q_direction: &Self::U,
+        u_direction: &Self::U,
+        tau_direction: &Self::U,
+        du_dot: &mut Self::U,
+    );
+}
+
+/// Like [`ForwardDynamicsVjp`], under loads that stay: `"vjp(loaded_forward_dynamics; q, u, tau)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `vjp(loaded_forward_dynamics; q, u, tau)`; name it in `functions`, alone and not in a sum, and generate again"
+)]
+pub trait LoadedForwardDynamicsVjp<R: Real>: System<R> {
+    /// Overwrites the last three arguments; meaning and units are those of [`LoadedForwardDynamicsVjp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn vjp_loaded_forward_dynamics_q_u_tau(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        tau: &Self::U,
+        loads: &Self::Loads,
+        multiplier: &Self::U,
+        q_gradient: &mut Self::U,
+        u_gradient: &mut Self::U,
+        tau_gradient: &mut Self::U,
+    );
+}
+
 /// Derivatives of [`InverseDynamics`](super::InverseDynamics), `tau` by `q`, `u` and `u_dot`: `"d(inverse_dynamics)/d(q, u, u_dot)"`.
 ///
 /// The derivative by `u_dot` is the mass matrix. `M u_dot + bias = tau`, differentiated.

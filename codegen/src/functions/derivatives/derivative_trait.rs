@@ -3,7 +3,7 @@
 use crate::functions::request::Request;
 
 /// What is asked for, and its trait.
-pub const TRAITS: [(&str, &str); 14] = [
+pub const TRAITS: [(&str, &str); 17] = [
     (
         "d(forward_dynamics)/d(q, u, tau)",
         "ForwardDynamicsDerivatives",
@@ -25,6 +25,18 @@ pub const TRAITS: [(&str, &str); 14] = [
     (
         "vjp(forward_dynamics; q, u, tau, parameters)",
         "ForwardDynamicsParametersVjp",
+    ),
+    (
+        "loaded_forward_dynamics+d(loaded_forward_dynamics)/d(q, u, tau)",
+        "LoadedForwardDynamicsAndDerivatives",
+    ),
+    (
+        "jvp(loaded_forward_dynamics; q, u, tau)",
+        "LoadedForwardDynamicsJvp",
+    ),
+    (
+        "vjp(loaded_forward_dynamics; q, u, tau)",
+        "LoadedForwardDynamicsVjp",
     ),
     (
         "d(inverse_dynamics)/d(q, u, u_dot)",

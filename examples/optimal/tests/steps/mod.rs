@@ -1,5 +1,6 @@
 //! Steps: where they lead, and their derivatives against differences of order 12 on the manifold, and against each other.
 
+mod conditions;
 mod scheme;
 
 use kane::discrete::{Change, StepByParameters, StepDerivatives};
