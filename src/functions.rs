@@ -97,7 +97,8 @@
 //! | times a direction, of the parameters too | [`ForwardDynamicsParametersJvp`] | [`InverseDynamicsParametersJvp`] |
 //! | a multiplier times these | [`ForwardDynamicsParametersVjp`] | [`InverseDynamicsParametersVjp`] |
 //!
-//! Under loads that stay, forward dynamics have [`LoadedForwardDynamicsAndDerivatives`], [`LoadedForwardDynamicsJvp`] and [`LoadedForwardDynamicsVjp`].
+//! Under loads that stay, forward dynamics have [`LoadedForwardDynamicsAndDerivatives`], [`LoadedForwardDynamicsJvp`] and [`LoadedForwardDynamicsVjp`];
+//! hybrid dynamics have [`HybridDynamicsAndDerivatives`], [`HybridDynamicsJvp`] and [`HybridDynamicsVjp`].
 //! Those with `Parameters` in their names need a [`Parametric`](crate::Parametric) system, which makes systems from arrays of values.
 //!
 //! ```
@@ -440,10 +441,11 @@ mod regressors;
 pub use derivatives::{
     ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters, ForwardDynamicsDerivatives,
     ForwardDynamicsJvp, ForwardDynamicsParametersJvp, ForwardDynamicsParametersVjp,
-    ForwardDynamicsVjp, InverseDynamicsAndDerivatives, InverseDynamicsByParameters,
-    InverseDynamicsDerivatives, InverseDynamicsJvp, InverseDynamicsParametersJvp,
-    InverseDynamicsParametersVjp, InverseDynamicsVjp, LoadedForwardDynamicsAndDerivatives,
-    LoadedForwardDynamicsJvp, LoadedForwardDynamicsVjp,
+    ForwardDynamicsVjp, HybridDynamicsAndDerivatives, HybridDynamicsJvp, HybridDynamicsVjp,
+    InverseDynamicsAndDerivatives, InverseDynamicsByParameters, InverseDynamicsDerivatives,
+    InverseDynamicsJvp, InverseDynamicsParametersJvp, InverseDynamicsParametersVjp,
+    InverseDynamicsVjp, LoadedForwardDynamicsAndDerivatives, LoadedForwardDynamicsJvp,
+    LoadedForwardDynamicsVjp,
 };
 pub use dynamics::{HybridDynamics, JointWrenches};
 pub use frames::{

@@ -2,7 +2,10 @@
 
 pub use crate::origin::OUTPUT_FORMAT;
 
-use std::path::{Path, PathBuf};
+use std::{
+    collections::BTreeMap,
+    path::{Path, PathBuf},
+};
 
 use crate::{
     companions::{self, Companion, Ingredients},
@@ -74,15 +77,14 @@ pub fn of_description(
         .map(|emittable| (emittable.request.name(), emittable.operations))
         .collect();
     // As the list of functions writes them, which may be in another way than the model does.
+    let of_frames = compiled.functions.iter();
+    let of_frames = of_frames.filter(|emittable| emittable.request.is_of_frames());
+    let of_frames = of_frames.map(|emittable| (emittable.request.text(), emittable.operations));
+    let of_frames: BTreeMap<String, Operations> = of_frames.collect();
     let asked = options.functions.requests();
     let asked_of_frames = asked.iter().filter_map(|asked| {
         let request = asked.on(tree).ok()?;
-        let mut all = compiled
-            .functions
-            .iter()
-            .filter(|own| own.request.is_of_frames());
-        let own = all.find(|own| own.request.text() == request.text())?;
-        Some((asked.text(), own.operations))
+        Some((asked.text(), *of_frames.get(&request.text())?))
     });
     let asked_of_frames = asked_of_frames.collect();
     let mut warnings = checked.warnings;

@@ -28,12 +28,15 @@ const BY_PARAMETERS: [&str; 3] = [
 ];
 
 /// What steps under loads are made of, and of systems with driven joints; and for tests what these are compared with.
-const UNDER_CONDITIONS: [&str; 7] = [
+const UNDER_CONDITIONS: [&str; 10] = [
     "loaded_forward_dynamics",
     "loaded_forward_dynamics+d(loaded_forward_dynamics)/d(q, u, tau)",
     "jvp(loaded_forward_dynamics; q, u, tau)",
     "vjp(loaded_forward_dynamics; q, u, tau)",
     "hybrid_dynamics",
+    "hybrid_dynamics+d(hybrid_dynamics)/d(q, u, tau)",
+    "jvp(hybrid_dynamics; q, u, tau)",
+    "vjp(hybrid_dynamics; q, u, tau)",
     "generalized_forces",
     "loaded_inverse_dynamics",
 ];

@@ -1,10 +1,13 @@
 //! A system under conditions, in the place of the system: steps of [`discrete`](crate::discrete), [`integrate`](crate::integrate) and the
 //! module `simulate` then move it under them.
 //!
-//! | | what is given | whose forward dynamics it has | derivatives of steps |
-//! | --- | --- | --- | --- |
-//! | [`Loaded`] | loads on the bodies: a push, a contact | [`LoadedForwardDynamics`](crate::functions::LoadedForwardDynamics) | if the module has them |
-//! | [`Driven`] | accelerations of the prescribed speeds: a conveyor, a position-controlled joint | [`HybridDynamics`](crate::functions::HybridDynamics) | |
+//! | | what is given | whose forward dynamics it has |
+//! | --- | --- | --- |
+//! | [`Loaded`] | loads on the bodies: a push, a contact | [`LoadedForwardDynamics`](crate::functions::LoadedForwardDynamics) |
+//! | [`Driven`] | accelerations of the prescribed speeds: a conveyor, a position-controlled joint | [`HybridDynamics`](crate::functions::HybridDynamics) |
+//!
+//! Derivatives of steps need the derivatives of these in the module: `loaded_forward_dynamics+d(loaded_forward_dynamics)/d(q, u, tau)` for
+//! `linearized`, `jvp(loaded_forward_dynamics; q, u, tau)` for `forward`, `vjp(..)` for `adjoint`; and so of `hybrid_dynamics`.
 //!
 //! What is given stays as it is over a step, also at the stages within it; give it anew for the next one. All else is the system's own.
 //!
@@ -13,7 +16,7 @@
 //! use kane::{conditions::Loaded, discrete::euler, eight_body, Load};
 //!
 //! let system = eight_body::Prepared::<f64>::nominal();
-//! let mut loads = [Load::zero(); eight_body::NB];
+//! let mut loads = [Load::default(); eight_body::NB];
 //! loads[0].force = [10.0, 0.0, 0.0];
 //! let pushed = Loaded { system: &system, loads };
 //! let (mut q, mut u) = ([0.1; eight_body::NQ], [0.0; eight_body::NU]);

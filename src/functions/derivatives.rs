@@ -1,4 +1,4 @@
-//! Derivatives of forward and inverse dynamics for controllers, one trait each.
+//! Derivatives of forward, inverse and hybrid dynamics for controllers, one trait each.
 //!
 //! A module implements a trait if it was generated with the request in the trait's documentation, with these variables in this
 //! order; the method is the generated function. Other derivatives are plain functions of the module, without a trait.
@@ -204,6 +204,77 @@ pub trait LoadedForwardDynamicsVjp<R: Real>: System<R> {
         tau: &Self::U,
         loads: &Self::Loads,
         multiplier: &Self::U,
+        q_gradient: &mut Self::U,
+        u_gradient: &mut Self::U,
+        tau_gradient: &mut Self::U,
+    );
+}
+
+/// [`HybridDynamics`](super::HybridDynamics) and its derivatives by `q`, `u` and `tau`, for accelerations that are given and stay:
+/// `"hybrid_dynamics + d(hybrid_dynamics)/d(q, u, tau)"`.
+///
+/// With [`Driven`](crate::conditions::Driven), [`discrete`](crate::discrete) makes derivatives of steps of it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `hybrid_dynamics+d(hybrid_dynamics)/d(q, u, tau)`; name this sum in `functions`, in this order and with no other part, and generate again"
+)]
+pub trait HybridDynamicsAndDerivatives<R: Real>: System<R> {
+    /// Overwrites the last eight arguments; meaning and units are those of [`HybridDynamicsAndDerivatives`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn hybrid_dynamics_and_d_hybrid_dynamics_d_q_u_tau(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        tau: &Self::U,
+        whole_u_dot: &mut Self::U,
+        whole_tau: &mut Self::U,
+        dwhole_u_dot_dq: &mut Self::Matrix,
+        dwhole_u_dot_du: &mut Self::Matrix,
+        dwhole_u_dot_dtau: &mut Self::Matrix,
+        dwhole_tau_dq: &mut Self::Matrix,
+        dwhole_tau_du: &mut Self::Matrix,
+        dwhole_tau_dtau: &mut Self::Matrix,
+    );
+}
+
+/// The directional derivative of [`HybridDynamics`](super::HybridDynamics), for accelerations that are given and stay:
+/// `"jvp(hybrid_dynamics; q, u, tau)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `jvp(hybrid_dynamics; q, u, tau)`; name it in `functions`, alone and not in a sum, and generate again"
+)]
+pub trait HybridDynamicsJvp<R: Real>: System<R> {
+    /// Overwrites the last two arguments; meaning and units are those of [`HybridDynamicsJvp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn jvp_hybrid_dynamics_q_u_tau(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        tau: &Self::U,
+        q_direction: &Self::U,
+        u_direction: &Self::U,
+        tau_direction: &Self::U,
+        dwhole_u_dot: &mut Self::U,
+        dwhole_tau: &mut Self::U,
+    );
+}
+
+/// The gradient of the sum of both outputs of [`HybridDynamics`](super::HybridDynamics), each times a multiplier, for accelerations that are
+/// given and stay: `"vjp(hybrid_dynamics; q, u, tau)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `vjp(hybrid_dynamics; q, u, tau)`; name it in `functions`, alone and not in a sum, and generate again"
+)]
+pub trait HybridDynamicsVjp<R: Real>: System<R> {
+    /// Overwrites the last three arguments; meaning and units are those of [`HybridDynamicsVjp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn vjp_hybrid_dynamics_q_u_tau(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        tau: &Self::U,
+        whole_u_dot_multiplier: &Self::U,
+        whole_tau_multiplier: &Self::U,
         q_gradient: &mut Self::U,
         u_gradient: &mut Self::U,
         tau_gradient: &mut Self::U,

@@ -107,7 +107,13 @@ fn snap(reader: &mut Reader, system: &Table<'_, '_>) -> Option<f64> {
 fn lock(reader: &mut Reader, system: &Table<'_, '_>) -> Vec<(Spanned<String>, f64)> {
     let what = system.what(Changes::LOCK);
     let table = system.get(Changes::LOCK);
-    let table = table.and_then(|item| reader.any_table(item, &what));
+    let table = table.and_then(|item| {
+        if item.get_ref().is_table() {
+            return reader.any_table(item, &what);
+        }
+        reader.wrong_type(item, &what, "a table such as `{ elbow = 0.5 }`");
+        None
+    });
     let entries = table.iter().flat_map(Table::entries);
     let locked = entries.filter_map(|(name, item)| {
         let what = format!("`{}` of {what}", name.value.escaped());

@@ -13,11 +13,11 @@ use crate::{
     expr::{Expr, ExprGraph, Symmetric, Vector, negated},
     given::{self, Accelerations},
     id::{BodyId, BodyMap, SpeedId},
-    tree::Tree,
+    tree::{N_INERTIAL, Tree},
 };
 
 /// The names of a body's inertial parameters, in their order.
-pub const PARAMETERS: [&str; 10] = [
+pub const PARAMETERS: [&str; N_INERTIAL] = [
     "m", "mcx", "mcy", "mcz", "ixx", "ixy", "iyy", "ixz", "iyz", "izz",
 ];
 

@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use super::{
-    BaseTerm, Entries, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size,
+    BaseTerm, Facts, Frame, Function, Joint, Module, N_ANGLES, PackedEntries, Pattern, Size,
     facts::units::by_place,
 };
 use crate::functions::{
@@ -298,7 +298,7 @@ impl Facts {
         all.flat_map(|entries| self.constants_of(entries)).collect()
     }
 
-    fn constants_of<'a>(&'a self, entries: &'a Entries) -> Vec<Constant<'a>> {
+    fn constants_of<'a>(&'a self, entries: &'a PackedEntries) -> Vec<Constant<'a>> {
         let length = self.sizes.named(&entries.length).map(size);
         let places = Data::Places(&entries.length, &entries.places);
         let places = constant(&entries.constant, entries.doc.as_str(), places);

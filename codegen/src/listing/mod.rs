@@ -21,8 +21,8 @@ pub use code::{
 pub use constants::{Constant, Data};
 pub(crate) use facts::N_ANGLES;
 pub use facts::{
-    Angle, BaseParameters, BaseTerm, Body, Colors, Counted, Entries, Extent, Facts, Frame,
-    FrameSpeeds, Joint, JointChart, Limits, Mimic, Moved, Pattern, Size, Sizes, Turned, Units,
+    Angle, BaseParameters, BaseTerm, Body, Colors, Counted, Extent, Facts, Frame, FrameSpeeds,
+    Joint, JointChart, Limits, Mimic, Moved, PackedEntries, Pattern, Size, Sizes, Turned, Units,
     nominal, read_nominal,
 };
 pub use function::Function;

@@ -171,3 +171,26 @@ fn names_that_meet_where_they_are_joined_are_refused() {
     let module = asked(&[&x, &again]).unwrap().source;
     assert_eq!(module.matches(&format!("pub const {constant}:")).count(), 1);
 }
+
+#[test]
+fn modules_that_call_a_frame_differently_have_another_input() {
+    let generated = |frames: &[&str]| {
+        let frames = frames.iter().map(|name| {
+            format!("[[frame]]\nname = \"{name}\"\nbody = \"b\"\nposition = [0, 0, 0.1]\n")
+        });
+        let model = system("[0]", &[("b", "[\"theta1\"]")]) + &frames.collect::<String>();
+        let files = Files::new("model.toml", &model);
+        let options = Options {
+            functions: Functions::Named(vec!["pose(Tool-0)".to_owned()]),
+            ..Options::default()
+        };
+        let generated = generate(&files.model, "model.toml", &options, &no_includes);
+        generated.unwrap().source
+    };
+    let [alone, second] = [generated(&["Tool-0"]), generated(&["tool 0", "Tool-0"])];
+    assert!(alone.contains("pub fn tool_0_pose<"));
+    assert!(second.contains("pub fn tool_0_2_pose<"));
+    let input = |module: &str| module.lines().nth(1).map(str::to_owned);
+    assert!(input(&alone).is_some());
+    assert_ne!(input(&alone), input(&second));
+}

@@ -3,7 +3,7 @@
 use crate::functions::request::Request;
 
 /// What is asked for, and its trait.
-pub const TRAITS: [(&str, &str); 17] = [
+pub const TRAITS: [(&str, &str); 20] = [
     (
         "d(forward_dynamics)/d(q, u, tau)",
         "ForwardDynamicsDerivatives",
@@ -38,6 +38,12 @@ pub const TRAITS: [(&str, &str); 17] = [
         "vjp(loaded_forward_dynamics; q, u, tau)",
         "LoadedForwardDynamicsVjp",
     ),
+    (
+        "hybrid_dynamics+d(hybrid_dynamics)/d(q, u, tau)",
+        "HybridDynamicsAndDerivatives",
+    ),
+    ("jvp(hybrid_dynamics; q, u, tau)", "HybridDynamicsJvp"),
+    ("vjp(hybrid_dynamics; q, u, tau)", "HybridDynamicsVjp"),
     (
         "d(inverse_dynamics)/d(q, u, u_dot)",
         "InverseDynamicsDerivatives",

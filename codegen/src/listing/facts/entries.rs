@@ -6,7 +6,7 @@ use crate::{compile::Emittable, functions::Part, tree::Tree};
 
 /// The entries of a packed derivative, as constants say them.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Entries {
+pub struct PackedEntries {
     /// The part of a request that writes them, as it is asked for.
     pub of: String,
     /// The name of the constant that says how many there are.
@@ -38,7 +38,7 @@ pub struct Colors {
     pub colors: Vec<usize>,
 }
 
-impl Entries {
+impl PackedEntries {
     /// Those that the functions write, each once.
     pub(in crate::listing) fn of(tree: &Tree, functions: &[Emittable]) -> Vec<Self> {
         let mut known = BTreeSet::new();

@@ -24,7 +24,7 @@ mod stated;
 pub(super) mod units;
 
 pub use base_parameters::{BaseParameters, BaseTerm};
-pub use entries::{Colors, Entries};
+pub use entries::{Colors, PackedEntries};
 pub use extent::Extent;
 pub use frame::{Frame, Moved, Turned};
 pub use frame_speeds::FrameSpeeds;
@@ -82,7 +82,7 @@ pub struct Facts {
     /// The speeds that move frames, each frame's once.
     pub frame_speeds: Vec<FrameSpeeds>,
     /// The entries of packed derivatives, each once.
-    pub entries: Vec<Entries>,
+    pub entries: Vec<PackedEntries>,
 }
 
 /// A body of the system.
@@ -120,7 +120,7 @@ impl Facts {
         let packed: Vec<_> = packed.map(|packed| (packed, packed.places(tree))).collect();
         let base_parameters = BaseParameters::of(tree, functions);
         let frame_speeds = FrameSpeeds::of(tree, functions);
-        let entries = Entries::of(tree, functions);
+        let entries = PackedEntries::of(tree, functions);
         let patterns = Pattern::of(functions);
         let sizes = [
             size::of_system(tree),

@@ -1,7 +1,8 @@
 //! Lengths of arrays that have names.
 
 use super::{
-    base_parameters::BaseParameters, entries::Entries, frame_speeds::FrameSpeeds, pattern::Pattern,
+    base_parameters::BaseParameters, entries::PackedEntries, frame_speeds::FrameSpeeds,
+    pattern::Pattern,
 };
 use crate::{
     functions::{Dimension, Length, N_BASE_PARAMETERS, N_PARAMETERS, Packed},
@@ -141,7 +142,7 @@ pub(super) fn of_frames(frames: &[FrameSpeeds]) -> Vec<Size> {
 }
 
 /// How many entries each packed derivative has, and how many columns where these have colours.
-pub(super) fn of_entries(entries: &[Entries]) -> Vec<Size> {
+pub(super) fn of_entries(entries: &[PackedEntries]) -> Vec<Size> {
     let sizes = entries.iter().flat_map(|entries| {
         let own = Size {
             name: entries.length.clone(),

@@ -3,7 +3,7 @@
 use super::syntax::{list, object, string};
 use crate::{
     functions::{Declared, Length},
-    listing::{Entries, Facts},
+    listing::{Facts, PackedEntries},
 };
 
 /// Members of an argument; none of one that is whole.
@@ -29,7 +29,7 @@ pub(super) fn members(facts: &Facts, argument: &Declared) -> Vec<(&'static str, 
     entries.map_or_else(Vec::new, of_derivative)
 }
 
-fn of_derivative(entries: &Entries) -> Vec<(&'static str, String)> {
+fn of_derivative(entries: &PackedEntries) -> Vec<(&'static str, String)> {
     let mut first = 0;
     let columns = entries.columns.iter().map(|(name, length)| {
         let members = [

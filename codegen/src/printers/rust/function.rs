@@ -64,6 +64,7 @@ pub(super) fn item(facts: &Facts, function: &Function) -> Item {
 fn associated(alone: &catalogue::Function, output: Option<&Declared>) -> TokenStream {
     let shape = alone.outputs[0].shape;
     let output_type = output.map(|output| signature::held(output, "R"));
+    let row = || output.map(|output| signature::held(&output.row(), "R"));
     let packed = shape.packed().map(|packed| ident(packed.places_constant()));
     match shape {
         Shape::MASS_MATRIX_PACKED | Shape::INVERSE_PACKED | Shape::REGRESSOR_PACKED => quote! {
@@ -81,13 +82,16 @@ fn associated(alone: &catalogue::Function, output: Option<&Declared>) -> TokenSt
         Shape::SPEED_VECTORS => quote!(type Terms = #output_type;),
         Shape::INERTIAL_PARAMETERS => quote!(type Inertial = #output_type;),
         Shape::BASE_PARAMETERS => quote!(type Base = #output_type;),
-        Shape::REGRESSOR => quote! {
-            type Row = [[R; 10]; NB];
-            type Rows = #output_type;
-        },
+        Shape::REGRESSOR => {
+            let row = row();
+            quote! {
+                type Row = #row;
+                type Rows = #output_type;
+            }
+        }
         Shape::BASE_REGRESSOR => {
             let (names, terms) = (ident(BASE_PARAMETERS), ident(BASE_PARAMETER_TERMS));
-            let row = output.map(|output| signature::held(&output.row(), "R"));
+            let row = row();
             quote! {
                 type Row = #row;
                 type Rows = #output_type;

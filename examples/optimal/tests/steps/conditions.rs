@@ -55,6 +55,16 @@ fn loads_act_as_their_generalized_forces_do() {
 }
 
 #[test]
+fn steps_with_driven_joints_have_derivatives_as_all_have() {
+    let system = &tumbler::Prepared::<f64>::nominal();
+    let u_dot = [1.5; tumbler::NU];
+    let driven = Driven { system, u_dot };
+    for dt in [1e-4, 0.02, 0.2] {
+        all_derivatives_are_differences(&driven, &drawn(&driven, 25, 0.3, dt));
+    }
+}
+
+#[test]
 fn driven_joints_move_as_they_are_told() {
     let system = &tumbler::Prepared::<f64>::nominal();
     let prescribed = <tumbler::Prepared<f64> as HybridDynamics<f64>>::PRESCRIBED;

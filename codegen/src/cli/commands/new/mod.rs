@@ -223,8 +223,14 @@ fn name(folder: &Path, companions: &BTreeSet<CompanionKind>) -> Result<String, F
         )));
     }
     if !companion::can_be_beside(companions, &name) {
+        let other = name.replace(['-', ' ', '.'], "_");
+        let advice = if companion::can_be_beside(companions, &other) {
+            format!("; did you mean `{}`?", other.escaped())
+        } else {
+            String::new()
+        };
         return Err(Failures::message(format!(
-            "`{shown}` cannot be the name of the package and of its module; {}",
+            "`{shown}` cannot be the name of the package and of its module; {}{advice}",
             companion::EXPECTED_NAME
         )));
     }
