@@ -52,3 +52,17 @@ macro_rules! partial_traits {
         );
     )+};
 }
+
+/// Like `function_traits`, for derivatives: of which trait it is one more, and what the method overwrites. The tests of requests check that
+/// the message names the request.
+macro_rules! derivative_traits {
+    ($($(#[$meaning:meta])* $missing:literal $name:ident of $base:ident: $method:ident($($argument:ident: $type:ty),+), $overwritten:literal;)+) => {$(
+        $(#[$meaning])*
+        #[diagnostic::on_unimplemented(message = $missing)]
+        pub trait $name<R: Real>: $base<R> {
+            #[doc = concat!("Overwrites ", $overwritten, "; meaning and units are those of [`", stringify!($name), "`].")]
+            #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+            fn $method(&self, $($argument: $type),+);
+        }
+    )+};
+}

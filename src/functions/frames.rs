@@ -110,10 +110,10 @@ pub trait PointJacobian<R: Real, F>: System<R> {
     );
 }
 
-/// The [`Acceleration`] of the frame `F` for `u_dot = 0`: what the [`Jacobian`] times `u_dot` lacks of it, along the same axes.
+/// The [`Acceleration`] of the frame `F` for `u_dot = 0`: along the same axes, [`Jacobian`] times `u_dot` plus this is the acceleration.
 ///
-/// Often called the drift, or `J_dot q_dot`: along inertial axes it is the rate of the Jacobian times `u`. For [`Local`] that rate lacks
-/// `w × v` of the linear part, for the frame's axes turn.
+/// Often called the drift, or `J_dot q_dot`: along inertial axes it is the rate of the Jacobian times `u`. For [`Local`], whose axes turn, the
+/// linear part of that rate times `u` is `w × v` less than this.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `jacobian_dot_u(FRAME)` for `{F}`; name it in `functions`, alone and not in a sum, and generate again"
 )]

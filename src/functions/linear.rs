@@ -60,7 +60,7 @@ pub trait LinearJacobianPacked<R: Real, F>: System<R> {
     fn linear_jacobian_packed(&self, q: &Self::Q, linear: &mut [Self::Columns; 3]);
 }
 
-/// The [`LinearAcceleration`] of the frame `F` for `u_dot = 0`: what the [`LinearJacobian`] times `u_dot` lacks of it, along the same axes.
+/// The [`LinearAcceleration`] of the frame `F` for `u_dot = 0`: along the same axes, [`LinearJacobian`] times `u_dot` plus this is the acceleration.
 ///
 /// Along inertial axes it is the rate of the Jacobian times `u`.
 #[diagnostic::on_unimplemented(

@@ -79,7 +79,11 @@ impl Options {
         };
         let named = self.functions.on(tree)?.into_iter();
         requests.extend(named.filter(|request| !is_selected(request)));
-        names::check(&requests).map_err(|fault| vec![fault])?;
-        Ok(requests)
+        let faults = names::faults(&requests);
+        if faults.is_empty() {
+            Ok(requests)
+        } else {
+            Err(faults)
+        }
     }
 }

@@ -1,57 +1,57 @@
 //! Names of generated code that two things would have: names of frames and values are joined, and `a_b` and `c` make what `a` and
 //! `b_c` do.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::functions::{Part, Request, RequestError};
 
-/// Refuses two functions of one name, two outputs of one function, and two constants.
-pub(super) fn check(requests: &[Request]) -> Result<(), RequestError> {
+/// All functions that have the name of another, outputs that have that of another one of their function, and constants.
+pub(super) fn faults(requests: &[Request]) -> Vec<RequestError> {
+    let mut faults = Vec::new();
     let mut known: BTreeMap<String, &Request> = BTreeMap::new();
     for request in requests {
-        if let Some(first) = known.insert(request.name(), request) {
-            return Err(RequestError::SameName {
+        let name = request.name();
+        match known.get(&name) {
+            Some(first) => faults.push(RequestError::SameName {
                 first: first.text(),
                 second: request.text(),
-                name: request.name(),
-            });
+                name,
+            }),
+            None => _ = known.insert(name, request),
         }
-        check_outputs(request)?;
+        faults.extend(of_outputs(request));
     }
-    check_constants(requests)
+    faults.extend(of_constants(requests));
+    faults
 }
 
-fn check_outputs(request: &Request) -> Result<(), RequestError> {
-    let mut names: Vec<_> = request.outputs().into_iter().map(|own| own.name).collect();
-    names.sort_unstable();
-    match names.windows(2).find(|pair| pair[0] == pair[1]) {
-        None => Ok(()),
-        Some(pair) => Err(RequestError::SameOutput {
-            request: request.text(),
-            name: pair[0].to_string(),
-        }),
-    }
+fn of_outputs(request: &Request) -> Option<RequestError> {
+    let mut names = BTreeSet::new();
+    let outputs = request.outputs().into_iter();
+    let again = outputs
+        .map(|own| own.name)
+        .find(|name| !names.insert(name.clone()))?;
+    Some(RequestError::SameOutput {
+        request: request.text(),
+        name: again.into_owned(),
+    })
 }
 
 /// Constants belong to parts: each may be in several functions.
-fn check_constants(requests: &[Request]) -> Result<(), RequestError> {
+fn of_constants(requests: &[Request]) -> Vec<RequestError> {
     let mut known: BTreeMap<String, (String, &Request)> = BTreeMap::new();
+    let mut faults = Vec::new();
     for request in requests {
-        for (constant, of) in request.parts().iter().flat_map(Part::constants) {
-            match known.get(&constant) {
-                Some((first, in_request)) if *first != of => {
-                    return Err(RequestError::SameConstant {
-                        requests: [in_request.text(), request.text()],
-                        of: [first.clone(), of],
-                        name: constant,
-                    });
-                }
-                Some(_) => {}
-                None => {
-                    known.insert(constant, (of, request));
-                }
+        for (name, of) in request.parts().iter().flat_map(Part::constants) {
+            let (first, in_request) = known.entry(name.clone()).or_insert((of.clone(), request));
+            if *first != of {
+                faults.push(RequestError::SameConstant {
+                    requests: [in_request.text(), request.text()],
+                    of: [first.clone(), of],
+                    name,
+                });
             }
         }
     }
-    Ok(())
+    faults
 }

@@ -1,4 +1,4 @@
-//! A place whose name two modules share.
+//! What `meanings` and `places` tell: a place that both modules have, under one name.
 
 /// A place that means something else.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -202,8 +202,8 @@ pub(super) const JACOBIAN_DOT_U: Function = Function {
         Shape::VECTOR,
     ),
     doc: &[
-        "The acceleration that the frame {frame} has in the inertial frame for `u_dot = 0`, of its origin, {linear}, and angular, {angular}; {axes}. It is what `jacobian`",
-        "times `u_dot` lacks of it, along the same axes, and along inertial axes the rate of the Jacobian times `u`. Also known as drift, bias acceleration, `J_dot q_dot`.",
+        "The acceleration that the frame {frame} has in the inertial frame for `u_dot = 0`, of its origin, {linear}, and angular, {angular}; {axes}. Along the same axes",
+        "`acceleration` is `jacobian` times `u_dot` plus this. Along inertial axes it is the rate of the Jacobian times `u`. Also known as drift, bias acceleration, `J_dot q_dot`.",
     ],
     derivatives: Some(JacobiansFn::OfFrames(
         roots::jacobians::frames::acceleration::jacobian_dot_u,

@@ -117,8 +117,8 @@ pub(super) const LINEAR_JACOBIAN_DOT_U: Function = Function {
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("linear", Shape::VECTOR, Unit::Of(&["m/s^2"]))],
     doc: &[
-        "The acceleration that the origin of the frame {frame} has in the inertial frame for `u_dot = 0`, {linear}; {axes}. It is what `linear_jacobian` times `u_dot`",
-        "lacks of it, along the same axes, and along inertial axes the rate of that Jacobian times `u`.",
+        "The acceleration that the origin of the frame {frame} has in the inertial frame for `u_dot = 0`, {linear}; {axes}. Along the same axes `linear_acceleration` is",
+        "`linear_jacobian` times `u_dot` plus this. Along inertial axes it is the rate of that Jacobian times `u`.",
     ],
     derivatives: Some(JacobiansFn::OfFrames(
         roots::jacobians::frames::linear::jacobian_dot_u,

@@ -21,22 +21,23 @@ pub(in crate::functions) struct ParsedSubject {
     pub(in crate::functions) view: View,
 }
 
-/// What may stand behind the frame of most functions, and how what is seen from another frame is had.
-fn view(function: &Function) -> &'static str {
+/// What may stand behind the frame of most functions.
+const VIEW: &str = "expected `local`, for the frame's own axes";
+
+/// What gives what such a function would be, seen from another frame.
+fn from_another(function: &Function) -> &'static str {
     match function.name {
-        "velocity" => {
-            "expected `local`, for the frame's own axes; what is seen from another frame is `jacobian(F, G)` times `u`"
-        }
+        "velocity" => "; seen from another frame it is `jacobian(F, G)` times `u`",
         "acceleration" => {
-            "expected `local`, for the frame's own axes; what is seen from another frame is `jacobian(F, G)` times `u_dot`, and `jvp(jacobian(F, G); q)`, with `u` for `q_direction`, times `u`"
+            "; seen from another frame it is `jacobian(F, G)` times `u_dot`, and `jvp(jacobian(F, G); q)`, with `u` for `q_direction`, times `u`"
         }
         "jacobian_dot_u" => {
-            "expected `local`, for the frame's own axes; what is seen from another frame is `jvp(jacobian(F, G); q)`, with `u` for `q_direction`, times `u`"
+            "; seen from another frame it is `jvp(jacobian(F, G); q)`, with `u` for `q_direction`, times `u`"
         }
         "generalized_force" => {
-            "expected `local`, for the frame's own axes; of a wrench between two frames it is `jacobian(F, G)`, transposed, times the wrench"
+            "; of a wrench between two frames it is `jacobian(F, G)`, transposed, times the wrench"
         }
-        _ => "expected `local`, for the frame's own axes",
+        _ => "",
     }
 }
 
@@ -52,14 +53,16 @@ impl ParsedSubject {
         rest: &[Word],
         views: &[View],
     ) -> Result<Self, RequestError> {
-        let fault = |word: &Word, expected| {
+        let fault_seen = |word: &Word, expected, seen| {
             Err(RequestError::View {
                 name: function.name.to_owned(),
                 found: word.text.clone(),
                 expected,
+                seen,
                 place: word.place.clone(),
             })
         };
+        let fault = |word, expected| fault_seen(word, expected, "");
         let (has_local, has_other) = (views.contains(&View::Local), views.contains(&View::Other));
         let (frames, view) = match rest {
             [] => (vec![frame], View::Inertial),
@@ -67,7 +70,7 @@ impl ParsedSubject {
             [word] if has_other && word.is(LOCAL) => return fault(word, "expected another frame"),
             [other] if has_other => (vec![frame, other], View::Other),
             [word, ..] if views.len() == 1 => return fault(word, "expected nothing there"),
-            [word] => return fault(word, view(function)),
+            [word] => return fault_seen(word, VIEW, from_another(function)),
             [_, word, ..] if has_other => return fault(word, SEVERAL),
             [_, word, ..] => return fault(word, "expected no more than `local`"),
         };

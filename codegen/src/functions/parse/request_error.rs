@@ -102,7 +102,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// What stands behind the frame is not understood.
-    #[error("`{}` behind the frame of `{name}`: {expected}", found.escaped())]
+    #[error("`{}` behind the frame of `{name}`: {expected}{seen}", found.escaped())]
     View {
         /// The function.
         name: String,
@@ -110,6 +110,8 @@ pub enum RequestError {
         found: String,
         /// What should stand there.
         expected: &'static str,
+        /// What gives what is seen from another frame; empty where that is not meant.
+        seen: &'static str,
         /// Where in the request.
         place: Range<usize>,
     },

@@ -39,6 +39,8 @@ impl Report {
         let texts = [old, new].map(|known| known.text.as_str());
         let diff = TextDiff::new(texts[0], texts[1]);
         let is_same = texts[0] == texts[1];
+        let mut options = origin::changed_options(texts);
+        options.remove("functions");
         let lines = (!is_same).then(|| ChangedLines::of(&diff, texts[0], texts[1]));
         let diff = diff.unified([(names[0], "old"), (names[1], "new")]);
         Ok(Self {
@@ -48,7 +50,7 @@ impl Report {
             functions,
             redeclared,
             meanings,
-            options: options(texts),
+            options,
             moved: moved(texts),
             diff,
             lines,
@@ -63,18 +65,6 @@ impl Report {
     pub(super) fn is_same(&self) -> bool {
         self.differences == Differences::default() && self.diff.is_empty()
     }
-}
-
-fn options(texts: [&str; 2]) -> BTreeMap<String, [Option<String>; 2]> {
-    let mut both: BTreeMap<String, [Option<String>; 2]> = BTreeMap::new();
-    for (place, text) in texts.into_iter().enumerate() {
-        for option in origin::options_of(text) {
-            let (key, value) = option.split_once(": ").unwrap_or((&option, ""));
-            both.entry(key.to_owned()).or_default()[place] = Some(value.to_owned());
-        }
-    }
-    both.retain(|key, [old, new]| key != "functions" && old != new);
-    both
 }
 
 fn moved(texts: [&str; 2]) -> Option<[String; 2]> {
