@@ -235,6 +235,10 @@ fn what_cannot_be_a_name_is_told_with_why_beside_other_faults() {
         ("parameters", "a module has something of that name"),
         ("rk4_step", "the C interface has a function of that name"),
         (
+            "loaded_euler_adjoint",
+            "the C interface has a function of that name",
+        ),
+        (
             "a_stage_b",
             "`_stage_` marks what a long function calls, such as `bias_stage_1`",
         ),

@@ -25,7 +25,8 @@ kane = { path = "KANE", default-features = false }
 /// Both programs fill arguments without a pattern, and without rounding in either precision.
 const RUST: &str = r#"
 use every::claw::{self, NB, NQ, NU, Parameters, Prepared, SinCos};
-use kane::discrete::{StepDerivatives, euler, rk4};
+use kane::conditions::{Driven, Loaded};
+use kane::discrete::{Change, StepDerivatives, euler, rk4};
 use kane::manifold::{q_minus, q_plus};
 use kane::{Load, Real};
 
@@ -53,41 +54,37 @@ fn all<R: Real + Numbers>() {
         moment: core::array::from_fn(|i| entry(6, (3 * body + i) as i64)),
     });
     let (point, force, moment): ([R; 3], [R; 3], [R; 3]) = (entries(7), entries(8), entries(9));
-    let zero = R::from_f64(0.0);
+    let (q_direction, u_direction, tau_direction): ([R; NU], [R; NU], [R; NU]) = (entries(12), entries(13), entries(14));
+    let (multiplier, q_multiplier, u_multiplier): ([R; NU], [R; NU], [R; NU]) = (entries(15), entries(16), entries(18));
+    let (whole_u_dot_multiplier, whole_tau_multiplier): ([R; NU], [R; NU]) = (entries(19), entries(20));
+ALONG    let zero = R::from_f64(0.0);
     let mut sin_cos = SinCos { sines: [zero; claw::NA], cosines: [zero; claw::NA] };
     claw::sin_cos(&p, &q, &mut sin_cos);
 CALLS
+    let _ = (&q_multiplier, &u_multiplier);
     let (direction, to): ([R; NU], [R; NQ]) = (entries(10), entries(11));
     print!("q_plus.q_after"); q_plus(&p, &q, &direction).print(); println!();
     print!("q_minus.direction"); q_minus(&p, &q, &to).print(); println!();
 SCALED    let dt = R::from_f64(0.125);
-    let show = |name: &str, (q_after, u_after): ([R; NQ], [R; NU])| {
+    let show = |name: &str, (q_after, u_after): &([R; NQ], [R; NU])| {
         print!("{name}.q_after"); q_after.print(); println!();
         print!("{name}.u_after"); u_after.print(); println!();
     };
-    let mut state = (q, u);
-    euler::step(&p, &tau, dt, &mut state.0, &mut state.1);
-    show("euler_step", state);
-    state = (q, u);
-    rk4::step(&p, &tau, dt, &mut state.0, &mut state.1);
-    show("rk4_step", state);
+    let pair = |name: &str, [first, second]: [&str; 2], change: &Change<[R; NU]>| {
+        print!("{name}.{first}"); change.q.print(); println!();
+        print!("{name}.{second}"); change.u.print(); println!();
+    };
     let rows = |rows: &[&[[R; NU]; NU]]| {
         for row in 0..NU {
             rows.iter().for_each(|block| block[row].print());
         }
     };
-    let linearized = |name: &str, state, d: &StepDerivatives<[[R; NU]; NU]>| {
-        show(name, state);
+    let matrices = |name: &str, d: &StepDerivatives<[[R; NU]; NU]>| {
         print!("{name}.a"); rows(&[&d.q_by_q, &d.q_by_u]); rows(&[&d.u_by_q, &d.u_by_u]); println!();
         print!("{name}.b"); rows(&[&d.q_by_tau]); rows(&[&d.u_by_tau]); println!();
     };
-    let mut derivatives = StepDerivatives::filled([[zero; NU]; NU]);
-    state = (q, u);
-    euler::linearized(&p, &tau, dt, (&mut state.0, &mut state.1), &mut derivatives);
-    linearized("euler_linearized", state, &derivatives);
-    state = (q, u);
-    rk4::linearized(&p, &tau, dt, (&mut state.0, &mut state.1), &mut derivatives);
-    linearized("rk4_linearized", state, &derivatives);
+    let (loaded, driven) = (Loaded { system: &p, loads }, Driven { system: &p, u_dot });
+STEPS    let _ = (&show, &pair, &matrices, &loaded, &driven);
 }
 
 fn main() {
@@ -96,12 +93,68 @@ fn main() {
 }
 "#;
 
+/// What a step's name ends with, and how Rust calls it: of `SYSTEM`, by `SCHEME`. A `NAME` is that in C.
+const WAYS: [(&str, &str); 7] = [
+    (
+        "_step",
+        "SCHEME::step(&SYSTEM, &tau, dt, &mut state.0, &mut state.1); show(NAME, &state);",
+    ),
+    (
+        "_linearized",
+        "let mut derivatives = StepDerivatives::filled([[zero; NU]; NU]);
+        SCHEME::linearized(&SYSTEM, &tau, dt, (&mut state.0, &mut state.1), &mut derivatives);
+        show(NAME, &state);
+        matrices(NAME, &derivatives);",
+    ),
+    (
+        "_forward",
+        "SCHEME::forward(&SYSTEM, &tau, dt, (&mut state.0, &mut state.1), (&mut change, &tau_direction));
+        show(NAME, &state);
+        pair(NAME, [\"q_direction_after\", \"u_direction_after\"], &change);",
+    ),
+    (
+        "_adjoint",
+        "let mut gradient: [R; NU] = entries(0);
+        SCHEME::adjoint(&SYSTEM, &tau, dt, (&state.0, &state.1), (&mut multiplier, &mut gradient));
+        pair(NAME, [\"q_gradient\", \"u_gradient\"], &multiplier);
+        print!(\"{}.tau_gradient\", NAME); gradient.print(); println!();",
+    ),
+    (
+        "_by_parameters",
+        "let mut by = kane::discrete::StepByParameters::filled([[zero; claw::PARAMETERS_LEN]; NU]);
+        SCHEME::by_parameters(&SYSTEM, &tau, dt, (&state.0, &state.1), &mut by);
+        print!(\"{}.q_by_parameters\", NAME); by.q.print(); println!();
+        print!(\"{}.u_by_parameters\", NAME); by.u.print(); println!();",
+    ),
+    (
+        "_forward_with_parameters",
+        "let changes = (&mut change, &tau_direction, &parameters_direction);
+        SCHEME::forward_with_parameters(&SYSTEM, &tau, dt, (&mut state.0, &mut state.1), changes);
+        show(NAME, &state);
+        pair(NAME, [\"q_direction_after\", \"u_direction_after\"], &change);",
+    ),
+    (
+        "_adjoint_with_parameters",
+        "let (mut gradient, mut of_parameters): ([R; NU], [R; claw::PARAMETERS_LEN]) = (entries(0), entries(0));
+        let gradients = (&mut multiplier, &mut gradient, &mut of_parameters);
+        SCHEME::adjoint_with_parameters(&SYSTEM, &tau, dt, (&state.0, &state.1), gradients);
+        pair(NAME, [\"q_gradient\", \"u_gradient\"], &multiplier);
+        print!(\"{}.tau_gradient\", NAME); gradient.print(); println!();
+        print!(\"{}.parameters_gradient\", NAME); of_parameters.print(); println!();",
+    ),
+];
+
 /// Where there are quaternions.
 const RUST_SCALED: &str = r#"
     let mut scaled = q;
     kane::manifold::scale_quaternions(&p, &mut scaled);
     print!("scale_quaternions.q_after"); scaled.print(); println!();
 "#;
+
+/// Where there are values set at run time.
+const RUST_ALONG: &str = "let parameters_direction: [R; claw::PARAMETERS_LEN] = entries(21);\n";
+const C_ALONG: &str = "REAL parameters_direction[CLAW_PARAMETERS_LEN];
+    fill_SCALAR(21, CLAW_PARAMETERS_LEN, parameters_direction);";
 
 const C_BEGINNING: &str = r#"
 #include <stdio.h>
@@ -145,6 +198,18 @@ static void all_SCALAR(void)
     fill_SCALAR(2, CLAW_NU, u_dot);
     fill_SCALAR(3, CLAW_NU, tau);
     fill_SCALAR(4, 3 * CLAW_NB, w_rel);
+    REAL q_direction[CLAW_NU], u_direction[CLAW_NU], tau_direction[CLAW_NU];
+    REAL multiplier[CLAW_NU], q_multiplier[CLAW_NU], u_multiplier[CLAW_NU];
+    REAL whole_u_dot_multiplier[CLAW_NU], whole_tau_multiplier[CLAW_NU];
+    fill_SCALAR(12, CLAW_NU, q_direction);
+    fill_SCALAR(13, CLAW_NU, u_direction);
+    fill_SCALAR(14, CLAW_NU, tau_direction);
+    fill_SCALAR(15, CLAW_NU, multiplier);
+    fill_SCALAR(16, CLAW_NU, q_multiplier);
+    fill_SCALAR(18, CLAW_NU, u_multiplier);
+    fill_SCALAR(19, CLAW_NU, whole_u_dot_multiplier);
+    fill_SCALAR(20, CLAW_NU, whole_tau_multiplier);
+    ALONG;
     fill_SCALAR(7, 3, point);
     fill_SCALAR(8, 3, force);
     fill_SCALAR(9, 3, moment);
@@ -214,11 +279,15 @@ fn compare(name: &str, model: &str, changed: Option<&str>) -> usize {
     fs::write(folder.join("Cargo.toml"), MANIFEST.replace("KANE", &kane)).unwrap();
     fs::write(source.join("lib.rs"), "pub mod claw;\npub mod claw_c;\n").unwrap();
     let scales = runtime.iter().any(|one| one.name == "scale_quaternions");
+    let has_parameters = model.contains("runtime");
     let program = rust_program(&functions, changed);
     let program = program.replace("SCALED", if scales { RUST_SCALED } else { "" });
+    let program = program.replace("STEPS", &rust_steps(&runtime));
+    let program = program.replace("ALONG", if has_parameters { RUST_ALONG } else { "" });
     fs::write(source.join("main.rs"), program).unwrap();
     let called = || functions.iter().chain(&runtime);
-    fs::write(source.join("main.c"), c_program(called(), changed)).unwrap();
+    let program = c_program(called(), changed, has_parameters);
+    fs::write(source.join("main.c"), program).unwrap();
 
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["build", "--offline"]).current_dir(&folder);
@@ -311,6 +380,7 @@ fn rust_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
 fn c_program<'a>(
     functions: impl Iterator<Item = &'a Function<'a>>,
     changed: Option<&str>,
+    has_parameters: bool,
 ) -> String {
     let mut calls = String::new();
     for Function {
@@ -346,9 +416,32 @@ fn c_program<'a>(
     }
     let changed = changed.map_or_else(String::new, |name| format!("parameters.{name} = 2.5;"));
     let all = C_ALL.replace("CALLS", &calls).replace("CHANGED", &changed);
+    let all = all.replace("ALONG;", if has_parameters { C_ALONG } else { "" });
     let [double, single] = [("f64", "double"), ("f32", "float")]
         .map(|(scalar, real)| all.replace("SCALAR", scalar).replace("REAL", real));
     [C_BEGINNING, &double, &single, C_MAIN].concat()
+}
+
+/// The steps among what C has of the runtime crate.
+fn rust_steps(runtime: &[Function<'_>]) -> String {
+    let mut steps = String::new();
+    for Function { name, .. } in runtime {
+        let Some((way, call)) = WAYS.iter().rev().find(|(way, _)| name.ends_with(way)) else {
+            continue;
+        };
+        let before = name.strip_suffix(way).unwrap();
+        let (system, scheme) = match before.split_once('_') {
+            Some((system, scheme)) => (system, scheme),
+            None => ("p", before),
+        };
+        let call = call.replace("SYSTEM", system).replace("SCHEME", scheme);
+        let call = call.replace("NAME", &format!("{name:?}"));
+        let begin = "let mut state = (q, u); let _ = &mut state;
+        let mut change = Change { q: q_direction, u: u_direction }; let _ = &mut change;
+        let mut multiplier = Change { q: q_multiplier, u: u_multiplier }; let _ = &mut multiplier;";
+        writeln!(steps, "    {{ {begin}\n        {call} }}").unwrap();
+    }
+    steps
 }
 
 /// The same call with what is read at the place of what is written, where a function allows that: the numbers stay.
@@ -361,7 +454,10 @@ fn in_place(
     let mut passed = passed.to_vec();
     let (mut copied, mut compared) = (String::new(), String::new());
     for (place, argument) in arguments.iter().enumerate() {
-        let after = format!("{argument}_after");
+        let after = match argument.strip_suffix("_multiplier") {
+            Some(of) => format!("{of}_gradient"),
+            None => format!("{argument}_after"),
+        };
         let Some(output) = outputs.iter().position(|(output, _)| *output == after) else {
             continue;
         };

@@ -62,12 +62,12 @@ pub(crate) fn module(name: &str, model: &str) -> Generated {
     let joined = [
         "mass_matrix+mass_matrix_packed+bias",
         "kinetic_energy+potential_energy",
-        "forward_dynamics+d(forward_dynamics)/d(q, u, tau)",
         "inverse_dynamics(sin_cos)",
         "partial_velocity(sin_cos)",
     ];
     let functions = CATALOGUE.iter().map(|function| function.name);
     let functions = functions.chain(joined).map(str::to_owned);
+    let functions = functions.chain(derivatives(model.contains("runtime")));
     let last = model.rsplit("[[body]]").next();
     let last = last.and_then(|body| body.split('"').nth(1));
     let last = last.expect("a body begins with its name");
@@ -79,14 +79,39 @@ pub(crate) fn module(name: &str, model: &str) -> Generated {
         format!("generalized_force(\"{last}\")"),
     ];
     let functions = functions.chain(of_frame).collect();
+    let prescribed = (model == CLAW).then_some("double");
     let options = Options {
         functions: Functions::Named(functions),
         companions: [CompanionKind::Manifest, CompanionKind::Abi(Abi::C)].into(),
         module: name.to_owned(),
+        prescribed: prescribed.into_iter().map(str::to_owned).collect(),
         ..Options::default()
     };
     let source = Source::new(format!("{name}.toml"), model);
     generate(&source, "models/claw.toml", &options, &no_includes).unwrap()
+}
+
+/// Those that steps need.
+fn derivatives(has_parameters: bool) -> Vec<String> {
+    let dynamics = [
+        "forward_dynamics",
+        "loaded_forward_dynamics",
+        "hybrid_dynamics",
+    ];
+    let of_state = dynamics.iter().flat_map(|one| {
+        [
+            format!("{one}+d({one})/d(q, u, tau)"),
+            format!("jvp({one}; q, u, tau)"),
+            format!("vjp({one}; q, u, tau)"),
+        ]
+    });
+    let by_parameters = [
+        "d(forward_dynamics)/d(parameters)",
+        "jvp(forward_dynamics; q, u, tau, parameters)",
+        "vjp(forward_dynamics; q, u, tau, parameters)",
+    ];
+    let by_parameters = by_parameters.into_iter().filter(|_| has_parameters);
+    of_state.chain(by_parameters.map(str::to_owned)).collect()
 }
 
 #[test]

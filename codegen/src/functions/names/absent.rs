@@ -129,6 +129,9 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 25] = [
     ),
 ];
 
+/// Where steps are.
+pub(super) const STEPS: &str = "`kane::discrete` in Rust, and `rk4_step` and others in C, with the request `forward_dynamics`; for `A` and `B` with `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`";
+
 /// What the runtime crate does, for every system.
 pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
     (
@@ -152,10 +155,9 @@ pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
         &["log3", "log6", "exp3", "exp6", "jlog3", "jlog6", "jexp3"],
     ),
     (
-        "`kane::discrete` in Rust, and `rk4_step` and others in C, with the request `forward_dynamics`; for `A` and `B` with `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`",
+        STEPS,
         &[
             "euler",
-            "eulerstep",
             "symplecticeuler",
             "discrete",
             "mjstep",
@@ -169,9 +171,6 @@ pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
             "discretize",
             "discretise",
             "rk4",
-            "rk4step",
-            "rk4linearized",
-            "eulerlinearized",
         ],
     ),
 ];

@@ -2,7 +2,7 @@
 
 use super::{
     ALL, DEFAULT,
-    absent::{NO_FUNCTIONS, RUNTIME},
+    absent::{NO_FUNCTIONS, RUNTIME, STEPS},
     elsewhere::{OPERATORS, REQUESTS, VARIABLES},
     generated_name, is_set,
 };
@@ -12,6 +12,7 @@ use crate::{
         function::{Function, Of},
         variable::Variable,
     },
+    words::is_c_runtime,
 };
 
 /// Words with which other tools' names begin.
@@ -87,6 +88,11 @@ fn found(table: &[(&'static str, &[&str])], words: &[String]) -> Option<&'static
     row.map(|(own, _)| *own)
 }
 
+/// Where the runtime crate has it.
+fn of_runtime(name: &str, words: &[String]) -> Option<&'static str> {
+    found(&RUNTIME, words).or_else(|| is_c_runtime(name).then_some(STEPS))
+}
+
 fn plain(name: &str) -> String {
     let letters = name.chars().filter(char::is_ascii_alphanumeric);
     letters.map(|letter| letter.to_ascii_lowercase()).collect()
@@ -101,7 +107,7 @@ pub fn advice(name: &str) -> String {
         format!("here it is called `{request}`{comma}{remark}")
     } else if let Some(operator) = found(&OPERATORS, &words) {
         format!("expected `{operator}`, of a function `F` by variables `X`")
-    } else if let Some(of_runtime) = found(&RUNTIME, &words) {
+    } else if let Some(of_runtime) = of_runtime(name, &words) {
         format!("that is {of_runtime}")
     } else if let Some(advice) = found(&NO_FUNCTIONS, &words) {
         advice.to_owned()

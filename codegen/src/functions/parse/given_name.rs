@@ -6,7 +6,7 @@ use crate::{
         function::Function,
         signature::{HELPER_INFIX, NOMINAL, PREPARE, SIN_COS, STAGE_INFIX},
     },
-    words::{C_RUNTIME, C_STRUCTURES, is_rust_keyword},
+    words::{C_STRUCTURES, is_c_runtime, is_rust_keyword},
 };
 
 /// The longest name that a function may be given.
@@ -42,7 +42,7 @@ fn why_not(name: &str) -> Option<String> {
         "it is a function of the catalogue"
     } else if TAKEN.contains(&name) || C_STRUCTURES.contains(&name) {
         "a module has something of that name"
-    } else if C_RUNTIME.contains(&name) {
+    } else if is_c_runtime(name) {
         "the C interface has a function of that name"
     } else {
         let mut infixes = INFIXES.into_iter();

@@ -7,6 +7,7 @@ mod header;
 mod names;
 pub(super) mod rules;
 pub(super) mod runtime;
+pub(super) mod steps;
 mod text;
 
 pub use header::text as header;

@@ -6,7 +6,7 @@ use super::rules::{SCALARS, symbol};
 use crate::{
     functions::{CATALOGUE, Declared, NOMINAL, PREPARE, SIN_COS, Signature},
     listing::Facts,
-    words::{C_RUNTIME, C_STRUCTURES},
+    words::{C_STRUCTURES, is_c_runtime},
 };
 
 /// The structures in Rust, in the order of [`C_STRUCTURES`].
@@ -22,13 +22,8 @@ pub(super) struct Names {
 
 /// True of functions of which texts speak: those of the catalogue, and what each module has. Other names are the user's.
 fn is_told(name: &str) -> bool {
-    let of_every_module = [NOMINAL, PREPARE, SIN_COS];
-    CATALOGUE
-        .iter()
-        .map(|function| function.name)
-        .chain(of_every_module)
-        .chain(C_RUNTIME)
-        .any(|own| own == name)
+    let is_of_catalogue = CATALOGUE.iter().any(|function| function.name == name);
+    is_of_catalogue || [NOMINAL, PREPARE, SIN_COS].contains(&name) || is_c_runtime(name)
 }
 
 impl Names {

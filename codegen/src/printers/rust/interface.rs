@@ -7,7 +7,7 @@ use quote::quote;
 use syn::{Item, parse_quote};
 
 use super::{
-    signature,
+    signature, steps,
     syntax::hexadecimal,
     text::{banner, doc, ident, printed},
 };
@@ -166,10 +166,6 @@ fn call(signature: &Signature, module: &str) -> TokenStream {
 
 /// The call of a function of the runtime crate.
 fn runtime_call(kind: RuntimeKind) -> TokenStream {
-    let start = quote! {
-        q_after.write(*q);
-        u_after.write(*u);
-    };
     match kind {
         RuntimeKind::QPlus => quote! {
             q_after.write(kane::manifold::q_plus(&*p, &*q, &*direction));
@@ -181,29 +177,6 @@ fn runtime_call(kind: RuntimeKind) -> TokenStream {
             q_after.write(*q);
             kane::manifold::scale_quaternions(&*p, &mut *q_after);
         },
-        RuntimeKind::Step(of) => {
-            let of = ident(of);
-            quote! {
-                #start
-                kane::discrete::#of::step(&*p, &*tau, *dt, &mut *q_after, &mut *u_after);
-            }
-        }
-        RuntimeKind::Linearized(of) => {
-            let of = ident(of);
-            quote! {
-                #start
-                let mut derivatives = kane::discrete::StepDerivatives::filled([[0.0; NU]; NU]);
-                let state = (&mut *q_after, &mut *u_after);
-                kane::discrete::#of::linearized(&*p, &*tau, *dt, state, &mut derivatives);
-                let rows = |[left, right]: [[[_; NU]; NU]; 2]| {
-                    core::array::from_fn(|row| [left[row], right[row]])
-                };
-                a.cast::<[[[[_; NU]; 2]; NU]; 2]>().write([
-                    rows([derivatives.q_by_q, derivatives.q_by_u]),
-                    rows([derivatives.u_by_q, derivatives.u_by_u]),
-                ]);
-                b.cast::<[[[_; NU]; NU]; 2]>().write([derivatives.q_by_tau, derivatives.u_by_tau]);
-            }
-        }
+        RuntimeKind::Step(step) => steps::call(step),
     }
 }

@@ -17,6 +17,7 @@ mod self_test;
 mod signature;
 mod stages;
 mod statements;
+mod steps;
 mod structures;
 mod syntax;
 mod system;
