@@ -42,6 +42,10 @@ pub const SPEEDS: usize = 5_000;
 pub const PARTS: usize = 5_000;
 /// Numbers that the functions of a module write, all together.
 pub const NUMBERS: usize = 250_000;
+/// Numbers of a regressor that is derived whole and written packed.
+pub const REGRESSOR: usize = 4_000_000;
+/// Numbers of an inverse that is derived whole and written packed.
+pub const INVERSE: usize = 1_000_000;
 /// Terms of the notes' sums where a function is derived as these stand.
 pub const TERMS: usize = 100_000;
 /// The same where they are evaluated only, for the tests beside a module, all together; one of forces, which holds a whole

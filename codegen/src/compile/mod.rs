@@ -22,7 +22,7 @@ pub use cheapest::cheapest;
 pub use choose::{Choice, choose, of_formulation};
 pub(crate) use notes::cost_no_more as notes_cost_no_more;
 pub(crate) use option_check::check as check_options;
-pub use planned::{Planned, by_plan, cost, operations};
+pub use planned::{Planned, by_plan, cost, emitted, operations};
 pub use plans::Plans;
 pub use size_check::check as check_size;
 pub(crate) use warnings::warnings;
@@ -31,7 +31,7 @@ use pipeline::Lowering;
 
 use crate::{
     error::Error,
-    functions::{CompactBlock, Derived, Formulation, PREPARED_NEW, Request},
+    functions::{CompactBlock, Formulation, PREPARED_NEW, Request},
     options::Options,
     passes::hoist::Preparation,
     program::{self, Operations, Program},
@@ -117,14 +117,6 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
         fields,
         functions,
     })
-}
-
-/// The operations of a function as it is emitted; as it was derived where its numbers overflow.
-pub fn emitted(plans: &Plans<'_>, request: &Request, derived: &Derived) -> Operations {
-    let lowering = Lowering::without(plans.without);
-    let mut preparation = Preparation::default();
-    let program = pipeline::program(plans.tree, request, derived, &mut preparation, lowering);
-    program.map_or_else(|| operations(derived), |program| program.operations())
 }
 
 /// Checks the poses of frames, which a module has whatever is asked for.

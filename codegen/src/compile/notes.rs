@@ -1,6 +1,6 @@
 //! A function by the notes' equations as they stand.
 //!
-//! In: a function, what it costs by the recursion. Out: its [`Planned`], if it costs no more, and to find that out does not take long.
+//! In: a function, as it is by the recursion. Out: its [`Planned`], if it costs no more, and to find that out does not take long.
 
 use crate::{
     functions::{Derived, Formulation, Request},
@@ -10,7 +10,7 @@ use crate::{
 };
 
 use super::{
-    planned::{Planned, cost, operations},
+    planned::{Planned, cost, emitted, operations},
     plans::Plans,
     sweeps,
 };
@@ -24,26 +24,62 @@ const SHORT: usize = 1_000;
 /// Notes of more terms are derived only where the recursion needs more operations than that: of fewer, some may be zero.
 const MANY_TERMS: usize = 1_000;
 
+/// Up to how many operations formulations are compared as they are written: [`passes::reuse`](crate::passes::reuse) finds more in the
+/// notes than in the recursion, but hardly ever makes up for much.
+const MOST_WRITTEN: usize = 1_000;
+
+/// How many times the recursion's cost the notes may need before that.
+const MOST_REUSED: usize = 2;
+
 /// The function by the notes, if it costs no more than by the recursion.
 pub(super) fn instead_of(
     plans: &Plans<'_>,
     request: &Request,
     recursive: &Derived,
 ) -> Option<Planned> {
-    let operations = operations(recursive);
-    have_a_chance(plans.tree, request, operations)
-        .then(|| at_most(plans, request, cost(request, operations)))
-        .flatten()
+    let before = operations(recursive);
+    if !have_a_chance(plans.tree, request, before) {
+        return None;
+    }
+    let notes = at_most(plans, request, most(request, before))?;
+    are_cheaper(plans, request, &notes.derived, recursive).then_some(notes)
 }
 
-/// True where [`instead_of`] gives the notes, which need these operations, beside a recursion that needs those.
+/// True where [`instead_of`] gives the notes, beside this recursion.
 pub(crate) fn cost_no_more(
-    tree: &Tree,
+    plans: &Plans<'_>,
     request: &Request,
-    notes: Operations,
-    recursive: Operations,
+    notes: &Derived,
+    recursive: &Derived,
 ) -> bool {
-    have_a_chance(tree, request, recursive) && cost(request, notes) <= cost(request, recursive)
+    have_a_chance(plans.tree, request, operations(recursive))
+        && are_cheaper(plans, request, notes, recursive)
+}
+
+/// What the notes may cost as they are derived, beside a recursion that needs these operations.
+fn most(request: &Request, recursive: Operations) -> usize {
+    let own = cost(request, recursive);
+    if recursive.total() <= MOST_WRITTEN {
+        MOST_REUSED * own
+    } else {
+        own
+    }
+}
+
+/// True where the notes cost no more: as they are written, if they are short.
+fn are_cheaper(plans: &Plans<'_>, request: &Request, notes: &Derived, recursive: &Derived) -> bool {
+    let [of_notes, of_recursion] = [notes, recursive].map(operations);
+    if cost(request, of_notes) > most(request, of_recursion) {
+        return false;
+    }
+    if of_recursion.total() > MOST_WRITTEN {
+        return true;
+    }
+    let [of_notes, of_recursion] = [notes, recursive].map(|derived| {
+        let operations = emitted(plans.tree, request, derived, plans.without);
+        cost(request, operations)
+    });
+    of_notes <= of_recursion
 }
 
 /// True where the function is derived by the notes beside the recursion, which needs these operations: on a large tree the literal sums

@@ -3,12 +3,15 @@
 //! In: a function, an arrangement. Out: its expressions after the passes that see one function alone, and their
 //! operations in the loop. Does not: choose.
 
-use super::pipeline;
+use std::collections::BTreeSet;
+
+use super::pipeline::{self, Lowering};
 use crate::{
     expr::SINE,
     functions::{Arrangement, Derived, Formulation, Request},
+    passes::hoist::Preparation,
     program::Operations,
-    recursive::Plan,
+    recursive::{Plan, Technique},
     tree::Tree,
 };
 
@@ -50,6 +53,19 @@ pub fn by_plan(tree: &Tree, request: &Request, formulation: Formulation, plan: &
 /// The operations that are left in the loop.
 pub fn operations(derived: &Derived) -> Operations {
     Operations::of(&derived.graph, &derived.roots)
+}
+
+/// The operations of a function as it is emitted; as it was derived where its numbers overflow.
+pub fn emitted(
+    tree: &Tree,
+    request: &Request,
+    derived: &Derived,
+    without: &BTreeSet<Technique>,
+) -> Operations {
+    let lowering = Lowering::without(without);
+    let mut preparation = Preparation::default();
+    let program = pipeline::program(tree, request, derived, &mut preparation, lowering);
+    program.map_or_else(|| operations(derived), |program| program.operations())
 }
 
 /// What it costs.

@@ -8,11 +8,11 @@ use std::collections::BTreeSet;
 
 use crate::{
     error::Error,
-    functions::{Argument, Request},
+    functions::{Argument, Dimension, Packed, Request},
     limits,
     options::{Formulation, Options, companion::CompanionKind},
     recursive::Technique,
-    tree::Tree,
+    tree::{N_INERTIAL, Tree},
 };
 
 /// How many terms of a mass matrix take the memory of one of forces.
@@ -82,6 +82,7 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
         limits::DIFFERENTIATED,
     )?;
     check_second(tree, request, options)?;
+    check_whole(tree, request)?;
     bound(
         &format!("`{name}` writes"),
         request.n_solved(tree),
@@ -99,6 +100,39 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
             "updates",
             limits::UPDATES,
         )?;
+    }
+    Ok(())
+}
+
+/// Refuses what comes of a matrix that would be too large, however few of its numbers are written.
+fn check_whole(tree: &Tree, request: &Request) -> Result<(), Error> {
+    let n_regressor = tree.n_speeds * N_INERTIAL * tree.bodies.len();
+    let wholes = [
+        (
+            Dimension::BaseParameters,
+            "regressor",
+            n_regressor,
+            limits::NUMBERS,
+        ),
+        (
+            Dimension::Packed(Packed::Regressor),
+            "regressor",
+            n_regressor,
+            limits::REGRESSOR,
+        ),
+        (
+            Dimension::Packed(Packed::Inverse),
+            "inverse",
+            tree.n_speeds.pow(2),
+            limits::INVERSE,
+        ),
+    ];
+    let derived = wholes
+        .into_iter()
+        .filter(|(dimension, ..)| request.writes(*dimension));
+    for (_, whole, found, most) in derived {
+        let what = format!("the {whole} for `{}` has", request.text());
+        bound(&what, found, "numbers", most)?;
     }
     Ok(())
 }

@@ -12,6 +12,8 @@ use super::{
     packed::Packed,
     parse::syntax::{AT_SIN_COS, named},
     part::{Part, Rows},
+    shape::Dimension,
+    terms,
     variable::Variable,
 };
 use crate::{
@@ -92,6 +94,11 @@ impl Request {
 
     fn functions(&self) -> impl Iterator<Item = &'static Function> {
         self.parts.iter().map(|part| part.function)
+    }
+
+    /// True where a length of an output is this one.
+    pub(crate) fn writes(&self, dimension: Dimension) -> bool {
+        self.functions().any(|function| function.writes(dimension))
     }
 
     /// The packed matrices among the outputs, each once.
@@ -242,7 +249,8 @@ impl Request {
         let takes_more = |function: &&Function| function.mass_matrix != MassMatrixUse::None;
         let mut solving = self.functions().filter(takes_more);
         if solving.all(|function| function.prescribes) {
-            solve::operations(tree, &tree.prescribed)
+            // The matrix is made of all speeds, also of those that are prescribed.
+            solve::operations(tree, &tree.prescribed) + terms::pairs(tree)
         } else {
             solve::operations(tree, &BTreeSet::new())
         }

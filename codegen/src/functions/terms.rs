@@ -12,8 +12,6 @@ pub(super) enum Terms {
     OfVector,
     /// Those of a matrix, a term for each pair of them.
     OfMatrix,
-    /// Those of a matrix some of whose rows are not solved for.
-    OfPartitioned,
     /// Those along the path of a frame.
     OfPath,
 }
@@ -25,7 +23,6 @@ impl Terms {
             Self::Few => 0,
             Self::OfVector => of_vector(tree),
             Self::OfMatrix => of_matrix(tree),
-            Self::OfPartitioned => of_partitioned(tree),
             Self::OfPath => subject.map_or(0, |subject| of_path(tree, subject)),
         }
     }
@@ -35,30 +32,12 @@ impl Terms {
 /// count once.
 fn of_matrix(tree: &Tree) -> usize {
     let pairs = |motions: usize| motions * (motions + 1) / 2;
-    moving(tree, n_speeds).into_iter().map(pairs).sum()
-}
-
-/// Eqs. (42), (43) where some speeds are prescribed: for every body a term for each speed that moves it, or one for each pair of
-/// which not both are prescribed, where these are more.
-fn of_partitioned(tree: &Tree) -> usize {
-    let is_prescribed = |body: &Body| {
-        let speeds = body.joint.speeds().into_iter();
-        speeds
-            .filter(|(_, speed)| tree.prescribed.contains(speed))
-            .count()
-    };
-    let pairs = |motions: usize| motions * (motions + 1) / 2;
-    let all = moving(tree, n_speeds);
-    let prescribed = moving(tree, is_prescribed);
-    let terms = all.into_iter().zip(prescribed);
-    terms
-        .map(|(all, prescribed)| all.max(pairs(all) - pairs(prescribed)))
-        .sum()
+    moving(tree).into_iter().map(pairs).sum()
 }
 
 /// Eqs. (36), (43): for every body, one term for each speed that moves it.
 pub(super) fn of_vector(tree: &Tree) -> usize {
-    moving(tree, n_speeds).into_iter().sum()
+    moving(tree).into_iter().sum()
 }
 
 /// Eqs. (15), (28) along the path of a frame: for every body that turns, one term for each speed below it; of several frames the most.
@@ -89,11 +68,7 @@ pub(super) fn pairs(tree: &Tree) -> usize {
         let own = body.joint.speeds().len();
         (moving - own..moving).map(|below| below + 1).sum::<usize>()
     };
-    tree.bodies
-        .iter()
-        .zip(moving(tree, n_speeds))
-        .map(of_body)
-        .sum()
+    tree.bodies.iter().zip(moving(tree)).map(of_body).sum()
 }
 
 /// The pairs of speeds of one tree at the root, each once.
@@ -112,12 +87,12 @@ fn n_speeds(body: &Body) -> usize {
     body.joint.speeds().len()
 }
 
-/// For every body the number of joints' own speeds on its path, of those that count.
-fn moving(tree: &Tree, own: impl Fn(&Body) -> usize) -> Vec<usize> {
+/// For every body the number of joints' own speeds on its path.
+fn moving(tree: &Tree) -> Vec<usize> {
     let mut moving: Vec<usize> = Vec::with_capacity(tree.bodies.len());
     for body in &tree.bodies {
         let below = body.lower.map_or(0, |lower| moving[lower.index()]);
-        moving.push(below + own(body));
+        moving.push(below + n_speeds(body));
     }
     moving
 }

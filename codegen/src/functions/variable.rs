@@ -136,8 +136,7 @@ impl Variable {
         let name = self.name();
         match self {
             Self::Given(Argument::Q) => {
-                "`q` along the motion of each speed, alone and per unit of its integral over time"
-                    .to_owned()
+                "`q` along the motion of each speed, per rad or m of that motion".to_owned()
             }
             Self::Given(Argument::Loads) => "`loads`, of each body force before moment".to_owned(),
             Self::Parameters => {

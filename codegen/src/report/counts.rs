@@ -3,7 +3,7 @@
 use std::{collections::BTreeSet, slice};
 
 use crate::{
-    compile::{self, Plans},
+    compile::{self, Choice, Plans},
     functions::{Formulation, Request},
     options::{self, Options},
     program::Operations,
@@ -57,14 +57,9 @@ fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
         })
         .map(|&formulation| compile::of_formulation(plans, function, formulation))
         .collect();
-    let derived = derived.iter();
-    let as_derived = derived.clone().map(|choice| {
-        let operations = compile::operations(&choice.derived);
-        (choice.formulation, operations)
-    });
-    let cheapest = cheapest(plans.tree, function, &as_derived.collect::<Vec<_>>());
-    let formulations = derived.map(|choice| {
-        let operations = compile::emitted(plans, function, &choice.derived);
+    let cheapest = cheapest(plans, function, &derived);
+    let formulations = derived.iter().map(|choice| {
+        let operations = compile::emitted(plans.tree, function, &choice.derived, plans.without);
         (choice.formulation, operations)
     });
     let formulations = formulations.collect();
@@ -77,25 +72,18 @@ fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
 }
 
 /// The formulation that [`compile::choose`] takes.
-fn cheapest(
-    tree: &Tree,
-    function: &Request,
-    formulations: &[(Formulation, Operations)],
-) -> Option<Formulation> {
-    let of = |wanted| {
-        let mut formulations = formulations.iter();
-        let found = formulations.find(|(formulation, _)| *formulation == wanted);
-        found.map(|(_, operations)| *operations)
-    };
+fn cheapest(plans: &Plans<'_>, function: &Request, choices: &[Choice]) -> Option<Formulation> {
+    let of = |wanted| choices.iter().find(|choice| choice.formulation == wanted);
     match (of(Formulation::Notes), of(Formulation::Recursive)) {
         (Some(notes), Some(recursive)) => {
-            let is_notes = compile::notes_cost_no_more(tree, function, notes, recursive);
+            let [notes, recursive] = [notes, recursive].map(|choice| &choice.derived);
+            let is_notes = compile::notes_cost_no_more(plans, function, notes, recursive);
             Some(if is_notes {
                 Formulation::Notes
             } else {
                 Formulation::Recursive
             })
         }
-        _ => formulations.first().map(|(formulation, _)| *formulation),
+        _ => choices.first().map(|choice| choice.formulation),
     }
 }

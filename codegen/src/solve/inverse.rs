@@ -5,7 +5,7 @@
 //! mirror image of the other. What lies between a speed and a body farther in is
 //! eliminated from its row of L once, and serves the columns of that body and of all other branches on it.
 
-use super::{Carriers, Factors, SpeedMatrix, blocks, entries::Entries, inverse};
+use super::{Carriers, Factors, SpeedMatrix, blocks, entries::Entries, groups, inverse};
 use crate::{
     expr::{ExprGraph, Purpose},
     id::SpeedId,
@@ -42,16 +42,18 @@ impl Factors {
         let mut entries = Entries::new(graph, self, tree, how.carriers);
         let stays = |place: &usize| !how.left_out.contains(&self.order[*place].speed);
         let places: Vec<usize> = (0..n).rev().filter(stays).collect();
+        let group = groups(tree);
+        let group = |place: usize| group[self.order[place].index()];
         for (known, &i) in places.iter().enumerate() {
             if let Some(fewest) = how.in_lockstep {
                 let columns = places[..known].iter().copied();
-                let columns = columns.filter(|j| !entries.has([i, *j]));
+                let columns = columns.filter(|&j| group(j) == group(i) && !entries.has([i, j]));
                 let columns: Vec<usize> = columns.collect();
                 let of = (&places[known..], &columns[..]);
                 blocks::find(graph, &mut entries, of, fewest);
             }
             for &j in &places[..=known] {
-                if entries.has([i, j]) {
+                if group(j) != group(i) || entries.has([i, j]) {
                     continue;
                 }
                 let rule = entries.rule(graph, i, j);

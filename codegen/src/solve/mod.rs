@@ -253,10 +253,18 @@ pub fn factor_places(tree: &Tree) -> BTreeSet<[usize; 2]> {
     places
 }
 
-/// The pairs of speeds, as above, at which the inverse of a mass matrix may have entries: those of one tree at the root, and
-/// of trees that a joint which follows another couples.
+/// The pairs of speeds, as above, at which the inverse of a mass matrix may have entries.
 pub fn inverse_places(tree: &Tree) -> BTreeSet<[usize; 2]> {
-    // The first speed of all that are coupled, directly or by others.
+    let group = groups(tree);
+    let pairs = (0..tree.n_speeds).flat_map(|row| (0..=row).map(move |column| [row, column]));
+    pairs
+        .filter(|&[row, column]| group[row] == group[column])
+        .collect()
+}
+
+/// Of each speed the first of all that are coupled with it, directly or by others: those of one tree at the root, and of trees that a
+/// joint which follows another couples.
+fn groups(tree: &Tree) -> Vec<usize> {
     let mut group: Vec<usize> = (0..tree.n_speeds).collect();
     for [row, column] in tree.coupled_speeds() {
         let (low, high) = (group[row].min(group[column]), group[row].max(group[column]));
@@ -269,10 +277,7 @@ pub fn inverse_places(tree: &Tree) -> BTreeSet<[usize; 2]> {
             }
         }
     }
-    let pairs = (0..tree.n_speeds).flat_map(|row| (0..=row).map(move |column| [row, column]));
-    pairs
-        .filter(|&[row, column]| group[row] == group[column])
-        .collect()
+    group
 }
 
 fn name_acceleration(graph: &mut ExprGraph, k: BodySpeed, acceleration: Expr) {

@@ -42,8 +42,12 @@ pub(crate) fn too_long(sources: &Sources) -> Vec<String> {
 /// Where a line begins a function: what stands before it, and its name.
 fn function(line: &str) -> Option<(&str, &str)> {
     let (before, after) = line.split_once("fn ")?;
-    let words = before.split_whitespace();
-    let mut words = words.map(|word| word.split('(').next().unwrap_or(word));
+    // Where something can be seen may be two words: `pub(in crate::functions)`.
+    let seen = before.trim_start().strip_prefix("pub(");
+    let rest = seen.map_or(before, |seen| {
+        seen.split_once(')').map_or(seen, |(_, rest)| rest)
+    });
+    let mut words = rest.split_whitespace();
     let is_begin = before.is_empty() || before.ends_with(' ');
     let indent = &line[..line.len() - line.trim_start().len()];
     let name = after

@@ -179,6 +179,11 @@ fn long_files_and_functions_are_told() {
         lengths::too_long(&sources(&[("a.rs", &text)])),
         ["a.rs:2: `long` has 83 lines; at most 80"]
     );
+    let text = format!("pub(in crate::a) fn seen() {{\n{body}\n    1;\n}}\n");
+    assert_eq!(
+        lengths::too_long(&sources(&[("a.rs", &text)])),
+        ["a.rs:1: `seen` has 83 lines; at most 80"]
+    );
     let text = "//\n".repeat(501);
     assert_eq!(
         lengths::too_long(&sources(&[("b.rs", &text)])),

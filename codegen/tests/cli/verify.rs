@@ -75,6 +75,20 @@ fn files_beside_a_module_are_left_out() {
 }
 
 #[test]
+fn other_sources_are_left_out_where_one_is_a_module() {
+    let project = Project::arm();
+    assert_eq!(project.kane(&["generate", "models/arm.toml"]).code, 0);
+    project.write("generated/mod.rs", "pub mod arm;\n");
+    let ran = verify(&project, &["generated/mod.rs", MODULE]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert_eq!(
+        ran.err,
+        "note: 1 of the files hold no generated function; they are not checked\n"
+    );
+    assert_eq!(ran.out, verify(&project, &[MODULE]).out);
+}
+
+#[test]
 fn a_broken_promise_names_function_and_instruction() {
     let project = Project::generated();
     let fault =

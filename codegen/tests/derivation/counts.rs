@@ -2,19 +2,23 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
-use std::{fmt::Write as _, fs};
+use std::{collections::BTreeSet, fmt::Write as _, fs};
 
 use crate::{compiled::read, pages};
 use kane_codegen::{
     compile,
     config::{Formulation, Functions},
     description::{Base, Chart, Reading},
-    functions::CATALOGUE,
+    expr::SINE,
+    functions::{CATALOGUE, Function},
     options::Options,
     program::Operations,
     tree::Tree,
 };
-use kane_test_support::models;
+use kane_test_support::{
+    models,
+    systems::{RandomSystem, Sizes, Style},
+};
 
 const NAMED: [&str; 6] = [
     "generalized_forces",
@@ -383,10 +387,59 @@ fn runtime_parameters_leave_the_loop_nearly_as_it_is() {
     insta::assert_snapshot!(table(&dynamics(&tree, Formulation::Recursive)));
 }
 
+/// Two hinges across each other. Of the notes' values many are made of others (`passes::reuse`), of the recursion's none.
+const ACROSS: &str = r#"
+name = "across"
+gravity = [0.0, 0.0, -9.81]
+lower_bodies = [0, 1]
+
+[[body]]
+name = "a"
+mass = 2.0
+mass_center = [0.0, 0.0, 0.1]
+inertia = { xx = 0.1, yy = 0.1, zz = 0.1, xy = 0.0, xz = 0.0, yz = 0.0 }
+attachment = [0.0, 0.0, 0.0]
+joint = ["theta1"]
+
+[[body]]
+name = "b"
+mass = 1.0
+mass_center = [0.0, 0.0, 0.1]
+inertia = { xx = 0.1, yy = 0.1, zz = 0.1, xy = 0.0, xz = 0.0, yz = 0.0 }
+attachment = [0.0, 0.0, 0.5]
+joint = ["theta2"]
+damping = 0.1
+"#;
+
+#[test]
+fn the_formulation_of_a_small_system_costs_least_as_it_is_written() {
+    let cost = |operations: &Operations| operations.total() + (SINE - 1) * operations.trig;
+    let random = (900..920).map(|seed| {
+        let sizes = Sizes {
+            bodies: 1 + usize::try_from(seed % 4).unwrap(),
+            speeds: 6,
+        };
+        RandomSystem::new(seed, sizes, Style::Plain).toml()
+    });
+    for text in std::iter::once(ACROSS.to_owned()).chain(random) {
+        let tree = models::build(&text).unwrap().tree;
+        let [notes, recursive] = [Formulation::Notes, Formulation::Recursive]
+            .map(|formulation| dynamics(&tree, formulation));
+        let chosen = dynamics(&tree, Formulation::Cheapest);
+        for ((name, chosen), (notes, recursive)) in chosen
+            .iter()
+            .zip(notes.iter().zip(&recursive).map(|(a, b)| (&a.1, &b.1)))
+        {
+            let least = cost(notes).min(cost(recursive));
+            assert_eq!(cost(chosen), least, "{name} of\n{text}");
+        }
+    }
+}
+
 #[test]
 fn the_catalogue_names_each_function_once() {
-    let mut names: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
-    names.sort_unstable();
-    names.dedup();
-    assert_eq!(names.len(), CATALOGUE.len());
+    let names = Function::names();
+    let different: BTreeSet<&str> = names.iter().copied().collect();
+    assert_eq!(names.len(), different.len());
+    assert!(names.len() > CATALOGUE.len(), "functions of frames too");
 }

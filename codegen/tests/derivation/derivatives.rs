@@ -3,7 +3,7 @@
 use kane_codegen::{
     description::Reading,
     expr::{Expr, Input},
-    functions::{Argument, CATALOGUE, Formulation, Function, Request},
+    functions::{Argument, Formulation, Function, Request},
     id::ParameterId,
     recursive::{Plan, Technique},
     tree::Tree,
@@ -19,6 +19,7 @@ use crate::{
     compiled::read,
     evaluator::input,
     frames::{evaluate_by, relative, request, system},
+    products::every_function,
 };
 
 /// How far two ways to one derivative may be apart, relative to its largest entry and to one.
@@ -197,12 +198,11 @@ fn every_function_changes_as_its_derivatives_say() {
     for seed in trees::tried(506..=508) {
         let (_, tree) = system(seed);
         let state = State::random(&tree, seed);
-        for function in CATALOGUE.iter().filter(|function| !function.is_compact()) {
-            let whole = request(&tree, function.name);
+        for (function, name) in every_function(&tree) {
+            let whole = request(&tree, &name);
             let at = values(&tree, &whole, &Plan::full(&tree), &state);
             for variable in variables(&tree, function) {
-                let name = function.name;
-                if jumps(name, &variable) {
+                if jumps(&name, &variable) {
                     continue;
                 }
                 let text = format!("d({name})/d({variable})");
@@ -215,7 +215,11 @@ fn every_function_changes_as_its_derivatives_say() {
                     let own: Vec<f64> = found.chunks(n).map(|row| row[entry]).collect();
                     let scale = larger(larger(largest(&at), largest(&expected)), 1.0);
                     let error = relative_to(scale, &own, &expected);
-                    let allowed = if inverts(name) { INVERTED } else { DIFFERENCED };
+                    let allowed = if inverts(&name) {
+                        INVERTED
+                    } else {
+                        DIFFERENCED
+                    };
                     assert_within(format!("{seed}, {text}, {entry}"), error, allowed);
                 }
             }
@@ -224,8 +228,8 @@ fn every_function_changes_as_its_derivatives_say() {
 }
 
 /// What each of several variables has of a function's derivatives by all of them.
-fn shares(tree: &Tree, function: &Function, variables: &[String], whole: &[f64]) -> Vec<Vec<f64>> {
-    let request = request(tree, function.name);
+fn shares(tree: &Tree, name: &str, variables: &[String], whole: &[f64]) -> Vec<Vec<f64>> {
+    let request = request(tree, name);
     let mut shares = vec![Vec::new(); variables.len()];
     let mut rest = whole;
     for lengths in request.lengths(tree, 0) {
@@ -245,8 +249,8 @@ fn by_several_variables_at_once_it_changes_as_by_each_alone() {
     for seed in trees::tried(501..=504) {
         let (_, tree) = system(seed);
         let state = State::random(&tree, seed);
-        for function in CATALOGUE.iter().filter(|function| !function.is_compact()) {
-            let (name, variables) = (function.name, variables(&tree, function));
+        for (function, name) in every_function(&tree) {
+            let variables = variables(&tree, function);
             if variables.len() < 2 {
                 continue;
             }
@@ -263,10 +267,10 @@ fn by_several_variables_at_once_it_changes_as_by_each_alone() {
                 recursive.filter(|(formulation, _)| *formulation == Formulation::Recursive);
             for (way, (_, plan)) in recursive.enumerate() {
                 let whole = by(&variables.join(", "), &plan);
-                let shares = shares(&tree, function, &variables, &whole);
+                let shares = shares(&tree, &name, &variables, &whole);
                 for (variable, share) in variables.iter().zip(shares) {
                     let error = relative(&share, &by(variable, &plan));
-                    let allowed = if inverts(name) { INVERTED } else { EXACT };
+                    let allowed = if inverts(&name) { INVERTED } else { EXACT };
                     assert_within(
                         format!("{seed}, {name} by {variable}, way {way}"),
                         error,

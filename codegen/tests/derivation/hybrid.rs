@@ -356,7 +356,7 @@ fn count(tree: &Tree, name: &str) -> usize {
     let none = BTreeSet::new();
     let plans = Plans::new(tree, &none);
     let choice = compile::choose(&plans, &request, options::Formulation::Cheapest);
-    compile::emitted(&plans, &request, &choice.derived).total()
+    compile::emitted(plans.tree, &request, &choice.derived, plans.without).total()
 }
 
 #[test]

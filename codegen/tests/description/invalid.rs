@@ -328,6 +328,7 @@ files! { FILES, description_is_refused:
     mimic_is_string
     mimic_of_a_fixed_joint
     mimic_of_a_joint_with_two
+    mimic_of_the_body_of_a_joint
     mimic_of_two_coordinates
     mimic_of_unknown_joint
     mimic_too_large
@@ -379,6 +380,7 @@ files! { FILES, description_is_refused:
     runtime_with_another_key
     several_faults
     several_joint_faults
+    spring_of_a_floating_body
     spring_of_an_angular_velocity
     stiffness_of_all_and_of_one
     thin_rod_about_itself

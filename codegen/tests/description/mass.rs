@@ -44,6 +44,25 @@ fn spring_that_pushes_away_from_rest_is_a_warning() {
 }
 
 #[test]
+fn limits_of_angles_of_a_quaternion_are_a_warning() {
+    let with = |limits: &str| {
+        let joint = format!("chart = \"quaternion\"\nlimits = {limits}\n");
+        build(&(system("[0]", &[("a", "\"free\"")]) + &joint)).unwrap()
+    };
+    for limits in [
+        "{ lower = -0.5, upper = 0.5 }",
+        "{ theta2 = { upper = 0.5 } }",
+    ] {
+        let told = with(limits).warnings.brief().lines[0].1.clone();
+        let expected = "`lower` and `upper` of body `a` limit angles, but its orientation is a quaternion: they are left out";
+        assert!(told.contains(expected), "{told}");
+    }
+    for limits in ["{ s1 = { upper = 0.5 } }", "{ velocity = 3.0 }"] {
+        assert!(with(limits).warnings.is_empty(), "{limits}");
+    }
+}
+
+#[test]
 fn rounded_right_angle_between_free_angles_is_a_warning() {
     let text =
         system("[0]", &[("a", "[\"theta1\", \"theta3\"]")]) + "locked = { theta2 = -1.5708 }\n";

@@ -11,3 +11,4 @@ mod invented;
 mod names;
 mod sizes;
 mod unknown;
+mod wholes;

@@ -198,7 +198,7 @@ fn of_very_many_faults_the_first_are_told() {
 }
 
 /// A chain of bodies of which each has these keys besides.
-fn chain(n_bodies: usize, joint: &str, more: &str) -> String {
+pub(crate) fn chain(n_bodies: usize, joint: &str, more: &str) -> String {
     let lower: Vec<usize> = (0..n_bodies).collect();
     let bodies = (0..n_bodies).map(|number| {
         let joint = if number == 0 { "[\"theta1\"]" } else { joint };
@@ -246,7 +246,7 @@ fn refused(n: usize, options: &Options) -> String {
     generated.unwrap_err().to_string()
 }
 
-fn named(name: &str) -> Options {
+pub(crate) fn named(name: &str) -> Options {
     Options {
         functions: Functions::Named(vec![name.to_owned()]),
         ..Options::default()

@@ -393,7 +393,7 @@ pub unsafe extern "C" fn cart_pole_q_minus_f32(
     }
 }
 
-/// The state after a semi-implicit Euler step of the time `dt`, in which `tau` stays constant: `kane::discrete::euler::step` of the runtime. Quaternions of about length one have it afterwards.
+/// The state after a semi-implicit Euler step of the time `dt`, in which `tau` stays constant: `kane::discrete::euler::step` of the runtime. Quaternions whose length is nearly one have length one afterwards.
 /// `q_after` may lead to the same array as `q`, and `u_after` to the same as `u`.
 ///
 /// - `p`: prepared parameters
@@ -444,7 +444,7 @@ pub unsafe extern "C" fn cart_pole_euler_step_f32(
     }
 }
 
-/// The state after a Runge-Kutta step of fourth order of the time `dt`, in which `tau` stays constant: `kane::discrete::rk4::step` of the runtime. Quaternions of about length one have it afterwards.
+/// The state after a Runge-Kutta step of fourth order of the time `dt`, in which `tau` stays constant: `kane::discrete::rk4::step` of the runtime. Quaternions whose length is nearly one have length one afterwards.
 /// `q_after` may lead to the same array as `q`, and `u_after` to the same as `u`.
 ///
 /// - `p`: prepared parameters

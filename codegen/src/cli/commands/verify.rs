@@ -25,7 +25,7 @@ use crate::cli::{Failures, Outcome, Voice, arguments::parse::one_of, paths, text
 /// helpers and the runtime's sines and cosines, which are checked too; so no function can panic. It may access only its arguments, its
 /// stack and constants, and no address may depend on a value. The output is a table (bytes of machine code, bytes of stack,
 /// instructions per call) and a list of broken promises. The numbers depend on the compiler, its target and its options. Files beside
-/// the modules, the functions for C and the tests, are skipped.
+/// the modules, the functions for C and the tests, are skipped, and so are other Rust files if one file at least is a module.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Exit codes:\n  \
     0  every promise holds\n  \
@@ -105,15 +105,7 @@ pub(crate) fn run(
             beside.len()
         ));
     }
-    let mut failures = Failures::default();
-    let reports = modules.into_iter();
-    let reports: Vec<(&Path, Report)> = reports
-        .filter_map(|path| {
-            let report = failures.keep(object::verify(&runtime, path));
-            report.map(|report| (path.as_path(), report))
-        })
-        .collect();
-    failures.none()?;
+    let reports = reports(&runtime, &modules, voice)?;
     match arguments.format {
         Format::Text => {
             for (path, report) in &reports {
@@ -131,6 +123,33 @@ pub(crate) fn run(
     } else {
         Outcome::Broken
     })
+}
+
+/// What was found of each module. Sources without generated functions, such as `src/lib.rs` of `src/*.rs`, are no fault beside modules.
+fn reports<'a>(
+    runtime: &Runtime,
+    modules: &[&'a PathBuf],
+    voice: Voice,
+) -> Result<Vec<(&'a Path, Report)>, Failures> {
+    let (mut failures, mut reports, mut others) = (Failures::default(), Vec::new(), Vec::new());
+    for path in modules {
+        match object::verify(runtime, path) {
+            Err(other @ object::Error::NoFunctions { .. }) => others.push(other),
+            found => reports.extend(failures.keep(found).map(|report| (path.as_path(), report))),
+        }
+    }
+    if reports.is_empty() {
+        for other in others {
+            failures.add(Failures::from(other));
+        }
+    } else if !others.is_empty() {
+        voice.say(format_args!(
+            "note: {} of the files hold no generated function; they are not checked",
+            others.len()
+        ));
+    }
+    failures.none()?;
+    Ok(reports)
 }
 
 /// Refuses what is not there, and what cannot be a module.

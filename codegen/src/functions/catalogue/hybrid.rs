@@ -46,6 +46,6 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
         "Nothing is checked: where the mass matrix of the others is not positive definite the result is whatever IEEE arithmetic gives.",
     ],
     derivation: Derivation::EitherWay(roots::hybrid::hybrid_dynamics),
-    terms: Terms::OfPartitioned,
+    terms: Terms::OfMatrix,
     ..PLAIN
 };

@@ -55,7 +55,7 @@ pub(super) const REGRESSOR: Function = Function {
     )],
     doc: &[
         "Inertia forces and weight as they are linear in the inertial parameters `pi` of the bodies: `inverse_dynamics` is the sum of `y pi` over",
-        "all bodies and parameters, and what springs, dampers and rotors need, less what lifts bodies. Ten parameters a body, with all that is fixed to it:",
+        "all bodies and parameters, and what springs, dampers and rotors need, less the forces of `gravity_compensation`. Ten parameters a body, with all that is fixed to it:",
         "`m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`, `I_xz`, `I_yz`, `I_zz`, about the body's origin, body components, kg, kg m, kg m^2;",
         "`I_xy` is the tensor's component. The model's own values do not matter. Also known as joint torque regressor, identification matrix.",
     ],
@@ -96,7 +96,7 @@ pub(super) const BASE_REGRESSOR: Function = Function {
         "Inertia forces and weight as they are linear in the base parameters, the fewest combinations of inertial parameters on which they",
         "depend: those columns of `regressor` that are independent, so that least squares have one solution. `BASE_PARAMETERS` names the",
         "combinations, `BASE_PARAMETER_TERMS` holds their factors, those of the nominal values where parameters are set at run time.",
-        "`inverse_dynamics` is `y` times the base parameters, and what springs, dampers and rotors need, less what lifts bodies. Lengths that are set at",
+        "`inverse_dynamics` is `y` times the base parameters, and what springs, dampers and rotors need, less the forces of `gravity_compensation`. Lengths that are set at",
         "run time have to be nominal for that: the factors hold for these. The model's own masses are not read.",
         "Also known as minimal or reduced regressor, minimal inertial parameters.",
     ],

@@ -139,8 +139,8 @@ pub enum RequestError {
     },
     /// A variable that the function is not given.
     #[error(
-        "`{name}` is not given `{variable}`; it can be differentiated by {}, and by values set at run time",
-        names(known)
+        "`{name}` is not given `{variable}`; it can be differentiated by {}values set at run time",
+        if known.is_empty() { String::new() } else { format!("{}, and by ", names(known)) }
     )]
     VariableNotTaken {
         /// The function.

@@ -19,7 +19,7 @@ pub(super) fn with_rotors(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix
     a
 }
 
-/// With what is needed beside the motion of bodies: for springs, dampers and rotors, less what lifts bodies.
+/// With what is needed beside the motion of bodies: for springs, dampers and rotors, less the forces of `gravity_compensation`.
 pub(super) fn with_forces(
     graph: &mut ExprGraph,
     tree: &Tree,

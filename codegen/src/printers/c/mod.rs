@@ -3,6 +3,7 @@
 //! In: a listing, and the name of the module. Out: the text of a header for C99 and C++. Does not: define a function.
 
 mod data;
+mod declared;
 mod header;
 mod names;
 pub(super) mod rules;

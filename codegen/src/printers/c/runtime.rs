@@ -1,8 +1,11 @@
 //! What C gets of the runtime crate beside a module's functions: sums and differences of coordinates, and steps.
 
-use super::steps::{self, Step};
+use super::{
+    declared::{self, after, written},
+    steps::{self, Step},
+};
 use crate::{
-    functions::{Access, Argument, Declared, Element, Length, N_SPEEDS, Signature, Unit},
+    functions::{Argument, Declared, Element, Length, N_SPEEDS, Signature, Unit},
     listing::Module,
     words::{Q_MINUS, Q_PLUS, SCALE_QUATERNIONS},
 };
@@ -37,7 +40,10 @@ pub(crate) fn of(module: &Module) -> Vec<RuntimeFunction> {
     if module.facts.has_quaternions() {
         all.push(scale_quaternions());
     }
-    all.extend(steps::of(module));
+    all.extend(steps::of(module).into_iter().map(|(step, signature)| {
+        let kind = RuntimeKind::Step(step);
+        RuntimeFunction { signature, kind }
+    }));
     all
 }
 
@@ -66,7 +72,7 @@ fn q_minus() -> RuntimeFunction {
 }
 
 fn scale_quaternions() -> RuntimeFunction {
-    let doc = "The same coordinates with quaternions of length one, whatever length they have; one of four zeros stays. For a `q` from elsewhere.";
+    let doc = "The same coordinates with quaternions of length one, whatever length above 1e-28 they have; one of four zeros stays. For a `q` from elsewhere.";
     let q = Argument::Q.declared();
     let after = after(&q);
     let kind = RuntimeKind::ScaleQuaternions;
@@ -82,33 +88,12 @@ fn of_directions(declared: Declared) -> Declared {
     }
 }
 
-/// The same afterwards.
-pub(super) fn after(of: &Declared) -> Declared {
-    Declared {
-        name: format!("{}_after", of.name),
-        access: Access::Written,
-        meaning: format!("{} afterwards", of.meaning).into(),
-        ..of.clone()
-    }
-}
-
-pub(super) fn written(name: &str, meaning: &'static str) -> Declared {
-    Declared {
-        meaning: meaning.into(),
-        ..Declared::written(name, Element::Scalar)
-    }
-}
-
-pub(super) fn function(
+fn function(
     name: &str,
     doc: &[&str],
     own: impl IntoIterator<Item = Declared>,
     kind: RuntimeKind,
 ) -> RuntimeFunction {
-    let signature = Signature {
-        name: name.to_owned(),
-        doc: doc.iter().map(|&line| line.to_owned()).collect(),
-        arguments: [Declared::prepared()].into_iter().chain(own).collect(),
-    };
+    let signature = declared::signature(name, doc, own);
     RuntimeFunction { signature, kind }
 }

@@ -1,8 +1,10 @@
 //! Steps that C gets of the runtime crate: under each condition, with each kind of derivatives, by each scheme.
 
-use super::runtime::{RuntimeFunction, RuntimeKind, after, function, written};
+use super::declared::{after, signature, written};
 use crate::{
-    functions::{Access, Argument, Declared, Element, Length, N_PARAMETERS, N_SPEEDS, Unit},
+    functions::{
+        Access, Argument, Declared, Element, Length, N_PARAMETERS, N_SPEEDS, Signature, Unit,
+    },
     listing::Module,
     words::{STEP_CONDITIONS, STEP_SCHEMES, STEP_WAYS},
 };
@@ -57,7 +59,7 @@ pub(crate) enum Scheme {
 }
 
 /// Those that can be called with the functions of a module.
-pub(super) fn of(module: &Module) -> Vec<RuntimeFunction> {
+pub(super) fn of(module: &Module) -> Vec<(Step, Signature)> {
     let mut all = Vec::new();
     for condition in [Condition::Free, Condition::Loaded, Condition::Driven] {
         for way in Way::ALL {
@@ -70,7 +72,8 @@ pub(super) fn of(module: &Module) -> Vec<RuntimeFunction> {
             all.extend(steps.filter(|step| step.has_what_it_needs(module)));
         }
     }
-    all.into_iter().map(Step::function).collect()
+    let declared = all.into_iter().map(|step: Step| (step, step.signature()));
+    declared.collect()
 }
 
 impl Way {
@@ -165,18 +168,13 @@ impl Step {
         }
     }
 
-    fn function(self) -> RuntimeFunction {
+    fn signature(self) -> Signature {
         let condition = STEP_CONDITIONS[self.condition as usize];
         let (scheme, way) = (self.scheme.module(), self.way.name());
         let doc = self.doc();
         let doc: Vec<&str> = doc.iter().map(String::as_str).collect();
-        let given = self.given().into_iter().chain(self.others());
-        function(
-            &format!("{condition}{scheme}_{way}"),
-            &doc,
-            given,
-            RuntimeKind::Step(self),
-        )
+        let arguments = self.given().into_iter().chain(self.others());
+        signature(&format!("{condition}{scheme}_{way}"), &doc, arguments)
     }
 
     fn doc(self) -> Vec<String> {
@@ -186,8 +184,9 @@ impl Step {
             self.scheme.what(),
             self.condition.stays(),
         );
-        let state =
-            format!("The state after {step} Quaternions of about length one have it afterwards.");
+        let state = format!(
+            "The state after {step} Quaternions whose length is nearly one have length one afterwards."
+        );
         let lines = match self.way {
             Way::Step => vec![state, STATE_IN_PLACE.to_owned()],
             Way::Linearized => vec![

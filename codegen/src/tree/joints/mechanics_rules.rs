@@ -1,6 +1,8 @@
 //! Springs, dampers, rotors, friction and limits: of coordinates that can have them, and of the right sign.
 
-use crate::description::{JointKind, Limits, PerCoordinate, Scalar, WrittenBody, WrittenJoint};
+use crate::description::{
+    Chart, JointKind, Limits, PerCoordinate, Scalar, WrittenBody, WrittenJoint,
+};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 
@@ -52,6 +54,7 @@ pub(super) fn mechanics(
     for limits in values(&written.limits) {
         check.limits(&limits.value);
     }
+    check.limits_of_quaternion(&written.limits);
     if let Some(kind) = &written.kind {
         check.contradictions(kind, written);
     }
@@ -73,6 +76,11 @@ fn values<T>(quantity: &PerCoordinate<T>) -> Vec<&Spanned<T>> {
         PerCoordinate::Same(value) => vec![value],
         PerCoordinate::Each(values) => values.iter().map(|(_, value)| value).collect(),
     }
+}
+
+/// True where a coordinate, not its speed, is limited.
+fn is_ranged(limits: &Limits) -> bool {
+    limits.lower.is_some() || limits.upper.is_some()
 }
 
 /// Where a quantity is given first.
@@ -228,7 +236,13 @@ impl Check<'_> {
                 "a spring acts on a coordinate, but the speeds of {} are components of an angular velocity",
                 self.name
             );
-            self.fault(message, span, "no spring can act here");
+            let fault = Diagnostic::error(message).at(span, "no spring can act here");
+            let moves = self.joint.free().any(|motion| motion >= 3);
+            self.findings.push(if moves {
+                fault.help("springs of its translations are named: `{ s1 = 100.0 }`")
+            } else {
+                fault
+            });
         }
     }
 
@@ -259,6 +273,34 @@ impl Check<'_> {
             );
             self.fault(message, value.span, "expected one number for the three");
         }
+    }
+
+    /// No coordinate of a quaternion is an angle that could be limited.
+    fn limits_of_quaternion(&mut self, quantity: &PerCoordinate<Limits>) {
+        if self.joint.chart != Chart::Quaternion {
+            return;
+        }
+        let of_angles = match quantity {
+            PerCoordinate::Absent => None,
+            PerCoordinate::Same(limits) => Some(limits),
+            PerCoordinate::Each(values) => {
+                let mut values = values.iter();
+                let of_angle = values.find(|(coordinate, limits)| {
+                    coordinate.value.is_angle() && is_ranged(&limits.value)
+                });
+                of_angle.map(|(_, limits)| limits)
+            }
+        };
+        let Some(limits) = of_angles.filter(|limits| is_ranged(&limits.value)) else {
+            return;
+        };
+        let message = format!(
+            "`lower` and `upper` of {} limit angles, but its orientation is a quaternion: they are left out",
+            self.name
+        );
+        let warning = Diagnostic::warning(message).at(limits.span, "not stored for angles");
+        let warning = warning.one_of("limits of angles of quaternions are left out", self.called);
+        self.findings.push(warning);
     }
 
     fn limits(&mut self, limits: &Limits) {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::description::{Description, Mimic};
 use crate::diagnostic::{Diagnostic, Escaped, NearNames};
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
-use crate::tree::names::{by_joints, joint_name, shown_joint};
+use crate::tree::names::{by_joints, joint_name, joint_named, meant, shown_joint};
 
 /// The most joints of a cycle that are named behind the first.
 const MOST_TOLD: usize = 8;
@@ -186,9 +186,15 @@ impl<'d> JointNames<'d> {
         }
     }
 
-    /// The name that was probably meant by one that is none.
-    fn near(&mut self, name: &str) -> Option<&'d str> {
-        self.near.nearest(name, self.places.keys().copied())
+    /// What to say of a name that is none: whose joint is called otherwise, which was probably meant, or which there are.
+    fn meant(&mut self, description: &Description, name: &str) -> Option<String> {
+        let of_body = joint_named(description, name).and_then(|body| joint_name(description, body));
+        if let Some(joint) = of_body {
+            let (name, joint) = (name.escaped(), joint.escaped());
+            return Some(format!("the joint of the body `{name}` is `{joint}`"));
+        }
+        let known: Vec<&str> = self.places.keys().copied().collect();
+        meant(name, &known, &mut self.near, "the joints")
     }
 }
 
@@ -231,8 +237,8 @@ fn link(
             joint.value.escaped()
         );
         let fault = Diagnostic::error(fault).at(joint.span, "unknown joint");
-        findings.push(match names.near(&joint.value) {
-            Some(near) => fault.help(format!("did you mean `{near}`?")),
+        findings.push(match names.meant(description, &joint.value) {
+            Some(help) => fault.help(help),
             None => fault,
         });
         return None;

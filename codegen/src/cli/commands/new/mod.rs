@@ -63,15 +63,16 @@ const TAKEN: [&str; 29] = [
 /// Create a package with a model, its generated module, a control loop and a test
 ///
 /// The folder NAME gets `Cargo.toml`, `kane.toml`, the model in `models/`, the generated module with its tests and a control loop in
-/// `src/`, and without --kane a GitHub workflow and the crate `kane` from crates.io. Then `cargo run` and `cargo test` work at once. With --abi c the control loop is a
-/// C program with a Makefile, and the functions are a static library; `make run` works at once. A model that needs other files, such
+/// `src/`. With --kane, `cargo run` and `cargo test` then work at once; without it, the package needs the crate `kane` from crates.io, and
+/// also gets a GitHub workflow. With --abi c the control loop is a
+/// C program with a Makefile, and the functions are a static library; `make run` starts it. A model that needs other files, such
 /// as meshes, is converted to kane's TOML format.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
-    kane new pendulum\n  \
-    kane new my_arm panda.urdf\n  \
-    kane new my_dog spot.urdf --base free\n  \
-    kane new my_arm panda.urdf --abi c")]
+    kane new pendulum --kane ../kane\n  \
+    kane new my_arm panda.urdf --kane ../kane\n  \
+    kane new my_dog spot.urdf --base free --kane ../kane\n  \
+    kane new my_arm panda.urdf --abi c --kane ../kane")]
 pub(crate) struct Arguments {
     /// The name of the package and its folder: ASCII letters, digits and `_`, a lower-case letter first
     #[arg(value_name = "NAME")]
