@@ -47,7 +47,7 @@ pub struct Function {
     /// By one of its arguments alone, the function whose entries are its derivatives.
     pub(super) derivatives_are: &'static [(Argument, &'static Self)],
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
-    pub(super) derivatives: Option<JacobiansFn>,
+    pub(super) derivatives: Option<DerivativesFn>,
     /// The function whose plan suits that way: most of it are expressions such as this one's.
     pub(super) derivatives_like: Option<&'static Self>,
     /// What its whole derivatives find beside, in that way.
@@ -70,14 +70,14 @@ pub struct Function {
 
 /// By each argument that it tells, how the entries of the outputs change: rows are these, output after output, columns speeds.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum JacobiansFn {
+pub(super) enum DerivativesFn {
     /// Of the whole system.
-    OfSystem(fn(&mut ExprGraph, &Tree, &Plan) -> Jacobians),
+    OfSystem(fn(&mut ExprGraph, &Tree, &Plan) -> ByArguments),
     /// Of frames.
-    OfFrames(fn(&mut ExprGraph, &Tree, &Plan, &Subject) -> Jacobians),
+    OfFrames(fn(&mut ExprGraph, &Tree, &Plan, &Subject) -> ByArguments),
 }
 
-impl JacobiansFn {
+impl DerivativesFn {
     /// Derives them, of the frames that the function is of.
     pub(super) fn derive(
         self,
@@ -85,12 +85,12 @@ impl JacobiansFn {
         tree: &Tree,
         plan: &Plan,
         subject: Option<&Subject>,
-    ) -> Jacobians {
+    ) -> ByArguments {
         match self {
-            Self::OfSystem(jacobians) => jacobians(graph, tree, plan),
-            Self::OfFrames(jacobians) => {
+            Self::OfSystem(derive) => derive(graph, tree, plan),
+            Self::OfFrames(derive) => {
                 let subject = subject.expect("functions: what is of a frame has one");
-                jacobians(graph, tree, plan, subject)
+                derive(graph, tree, plan, subject)
             }
         }
     }
@@ -98,7 +98,7 @@ impl JacobiansFn {
 
 /// How a function changes with what it is given, a matrix for each argument; and its values, where the matrices needed them.
 #[derive(Debug, Default)]
-pub(super) struct Jacobians {
+pub(super) struct ByArguments {
     pub(super) by: Vec<(Argument, Vec<Vec<Expr>>)>,
     pub(super) values: Option<Vec<Expr>>,
     /// The mass matrix, where they need it.

@@ -4,7 +4,7 @@ use crate::{
     functions::{
         argument::Argument,
         derivation::either,
-        function::{Function, JacobiansFn, Output, PLAIN},
+        function::{DerivativesFn, Function, Output, PLAIN},
         roots,
         shape::Shape,
         terms::Terms,
@@ -38,8 +38,8 @@ pub(super) const CENTER_OF_MASS_VELOCITY: Function = Function {
         "Masses that are zero at run time alone give NaN.",
     ],
     derivatives_are: &[(Argument::U, &CENTER_OF_MASS_JACOBIAN)],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::totals::center_velocity,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::totals::center_velocity,
     )),
     derivatives_like: Some(&CENTER_OF_MASS_JACOBIAN),
     derivation: either!(kane::center::velocity, totals::center::velocity),
@@ -63,7 +63,9 @@ pub(super) const CENTER_OF_MASS_JACOBIAN: Function = Function {
         kane::center::jacobian,
         totals::momentum_matrix::center_jacobian
     ),
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::center::jacobian)),
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::center::jacobian,
+    )),
     terms: Terms::OfVector,
     ..PLAIN
 };
@@ -82,8 +84,8 @@ pub(super) const CENTER_OF_MASS_JACOBIAN_DOT_U: Function = Function {
         "acceleration is `J u_dot` and this, without gravity. Also known as com drift. Zero where no body has mass; masses that are zero at run",
         "time alone give NaN.",
     ],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::totals::center_jacobian_dot_u,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::totals::center_jacobian_dot_u,
     )),
     derivatives_like: Some(&CENTER_OF_MASS_JACOBIAN),
     derivation: either!(kane::center::jacobian_dot_u, totals::center::jacobian_dot_u),
@@ -117,8 +119,8 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX: Function = Function {
         kane::center::momentum_matrix,
         totals::momentum_matrix::momentum_matrix
     ),
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::momentum::momentum_matrix,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::momentum::momentum_matrix,
     )),
     terms: Terms::OfVector,
     ..PLAIN
@@ -146,8 +148,8 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX_DOT_U: Function = Function {
         "Rates of linear momentum, {linear}, and of angular momentum about the mass centre, {angular}, of all bodies for `u_dot = 0`: inertial components.",
         "With the centroidal momentum matrix `A_G`, their rates are `A_G u_dot` and this. Also known as `A_G_dot u`, centroidal bias, hdot drift.",
     ],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::totals::momentum_rate,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::totals::momentum_rate,
     )),
     derivatives_like: Some(&CENTROIDAL_MOMENTUM_MATRIX),
     derivation: either!(

@@ -5,7 +5,7 @@ use crate::{
     functions::{
         argument::Argument,
         derivation::{Derivation, either},
-        function::{Function, JacobiansFn, MassMatrixUse, Output, PLAIN},
+        function::{DerivativesFn, Function, MassMatrixUse, Output, PLAIN},
         roots,
         shape::Shape,
         terms::Terms,
@@ -38,7 +38,7 @@ pub(super) const FORCING: Function = Function {
     trait_name: Some("Forcing"),
     arguments: &[Argument::Q, Argument::U, Argument::Loads],
     outputs: &[Output::new("f", Shape::SPEEDS, Unit::FORCES)],
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::forces::forcing)),
+    derivatives: Some(DerivativesFn::OfSystem(roots::derivatives::forces::forcing)),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -59,7 +59,7 @@ pub(super) const BIAS: Function = Function {
         entries: roots::coriolis::bias_of_coriolis,
     }),
     is_default: true,
-    derivatives: Some(JacobiansFn::OfSystem(roots::jacobians::forces::bias)),
+    derivatives: Some(DerivativesFn::OfSystem(roots::derivatives::forces::bias)),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
@@ -76,8 +76,8 @@ pub(super) const GRAVITY_FORCES: Function = Function {
     trait_name: Some("GravityForces"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::FORCES)],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::forces::gravity_forces,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::forces::gravity_forces,
     )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     doc: &[
@@ -100,8 +100,8 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::FORCES)],
     is_default: true,
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::forces::inverse_dynamics,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::forces::inverse_dynamics,
     )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
@@ -122,8 +122,8 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     is_default: true,
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::accelerations::forward_dynamics,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::accelerations::forward_dynamics,
     )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],

@@ -7,7 +7,7 @@ use crate::{
     functions::{
         argument::Argument,
         derivation::either,
-        function::{Function, JacobiansFn, Output, PLAIN},
+        function::{DerivativesFn, Function, Output, PLAIN},
         roots,
         shape::Shape,
         unit::Unit,
@@ -23,8 +23,8 @@ pub(super) const KINETIC_ENERGY: Function = Function {
     outputs: &[Output::new("energy", Shape::SCALAR, Unit::Of(&["J"]))],
     is_default: true,
     doc: &["Kinetic energy in the inertial frame, {energy}."],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::totals::kinetic_energy,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::totals::kinetic_energy,
     )),
     derivatives_like: Some(&MASS_MATRIX_PRODUCT),
     derivation: either!(kane::energy::kinetic, totals::energy::kinetic),
@@ -41,8 +41,8 @@ pub(super) const POTENTIAL_ENERGY: Function = Function {
         "Potential energy, {energy}: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.",
     ],
     techniques: &[Technique::Weights],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::totals::potential_energy,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::totals::potential_energy,
     )),
     derivatives_like: Some(&GRAVITY_FORCES),
     derivation: either!(kane::energy::potential, totals::energy::potential),
@@ -59,8 +59,8 @@ pub(super) const LINEAR_MOMENTUM: Function = Function {
         Unit::Of(&["kg m/s"]),
     )],
     doc: &["Linear momentum of all bodies: inertial components, {momentum}."],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::totals::linear_momentum,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::totals::linear_momentum,
     )),
     derivatives_like: Some(&CENTROIDAL_MOMENTUM_MATRIX),
     derivation: either!(kane::energy::linear_momentum, totals::momentum::linear),
@@ -79,8 +79,8 @@ pub(super) const ANGULAR_MOMENTUM: Function = Function {
     doc: &[
         "Angular momentum of all bodies about the inertial origin: inertial components, {momentum}.",
     ],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::totals::angular_momentum,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::totals::angular_momentum,
     )),
     derivatives_like: Some(&CENTROIDAL_MOMENTUM_MATRIX),
     derivatives_are: &[(Argument::U, &ANGULAR_MOMENTUM_MATRIX)],

@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, JacobiansFn, MassMatrixUse, Of, Output, PLAIN},
+    function::{DerivativesFn, Function, MassMatrixUse, Of, Output, PLAIN},
     roots,
     shape::Shape,
     subject::View,
@@ -70,7 +70,9 @@ pub(super) const POSE: Function = Function {
         "and the position of its origin from {origin}, {base} components, {position}. Also known as frame placement, forward kinematics.",
         "The transposed matrix maps the frame's components to {base} ones.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(roots::jacobians::frames::pose::pose)),
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::pose::pose,
+    )),
     derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::pose),
     ..PLAIN
@@ -95,8 +97,8 @@ pub(super) const VELOCITY: Function = Function {
         "Also known as frame velocity, spatial velocity at the frame's origin, twist.",
     ],
     derivatives_are: &[(Argument::U, &JACOBIAN)],
-    derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::velocity::velocity,
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::velocity::velocity,
     )),
     derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::velocity),
@@ -122,8 +124,8 @@ pub(super) const ACCELERATION: Function = Function {
         "It is the rate of the velocity of the origin itself, without gravity. Also known as classical acceleration.",
     ],
     derivatives_are: &[(Argument::UDot, &JACOBIAN)],
-    derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::acceleration::acceleration,
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::acceleration::acceleration,
     )),
     derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::acceleration),
@@ -140,8 +142,8 @@ pub(super) const JACOBIAN: Function = Function {
         "Jacobian of the frame {frame} {seen}: times `u` the velocity of its origin, m/s, and its angular velocity, rad/s.",
         "A column for each speed, zero but for those of {speeds}. Also known as geometric Jacobian, frame Jacobian, task Jacobian.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::columns::jacobian,
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::columns::jacobian,
     )),
     derivation: Derivation::OfFrames(roots::frames::jacobian),
     terms: Terms::OfPath,
@@ -158,8 +160,8 @@ pub(super) const JACOBIAN_PACKED: Function = Function {
         "The columns of the Jacobian of the frame {frame} {seen}, of the speeds that move it alone: {speeds} says which.",
         "Times these speeds the velocity of the frame's origin, m/s, and its angular velocity, rad/s.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::columns::jacobian_packed,
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::columns::jacobian_packed,
     )),
     derivation: Derivation::OfFrames(roots::frames::jacobian_packed),
     terms: Terms::OfPath,
@@ -179,8 +181,8 @@ pub(super) const POINT_JACOBIAN: Function = Function {
         "Jacobian of a point fixed in the frame {frame}, {seen}: times `u` the velocity of the point, m/s, and the angular velocity of the frame, rad/s.",
         "A column for each speed, zero but for those of {speeds}. The point may be another at each call, for contacts that move.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::columns::point_jacobian,
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::columns::point_jacobian,
     )),
     derivation: Derivation::OfFrames(roots::frames::point_jacobian),
     terms: Terms::OfPath,
@@ -205,8 +207,8 @@ pub(super) const JACOBIAN_DOT_U: Function = Function {
         "The acceleration that the frame {frame} has in the inertial frame for `u_dot = 0`, of its origin, {linear}, and angular, {angular}; {axes}. Along the same axes",
         "`acceleration` is `jacobian` times `u_dot` plus this. Along inertial axes it is the rate of the Jacobian times `u`. Also known as drift, bias acceleration, `J_dot q_dot`.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::acceleration::jacobian_dot_u,
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::acceleration::jacobian_dot_u,
     )),
     derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::jacobian_dot_u),

@@ -4,7 +4,7 @@ use super::matrices::CORIOLIS_MATRIX;
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, JacobiansFn, MassMatrixUse, Output, PLAIN},
+    function::{DerivativesFn, Function, MassMatrixUse, Output, PLAIN},
     roots,
     shape::Shape,
     terms::Terms,
@@ -32,8 +32,8 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
     ],
     mass_matrix: MassMatrixUse::Accelerations,
     prescribes: true,
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::hybrid::hybrid_dynamics,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::hybrid::hybrid_dynamics,
     )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],

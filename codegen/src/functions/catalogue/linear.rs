@@ -5,7 +5,7 @@ use super::frames::{ANY_VIEW, OWN_VIEWS};
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, JacobiansFn, MassMatrixUse, Of, Output, PLAIN},
+    function::{DerivativesFn, Function, MassMatrixUse, Of, Output, PLAIN},
     roots,
     shape::Shape,
     subject::View,
@@ -39,8 +39,8 @@ pub(super) const LINEAR_VELOCITY: Function = Function {
         "Also known as translational velocity.",
     ],
     derivatives_are: &[(Argument::U, &LINEAR_JACOBIAN)],
-    derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::linear::velocity,
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::linear::velocity,
     )),
     derivatives_like: Some(&LINEAR_JACOBIAN),
     derivation: Derivation::OfFrames(roots::linear::velocity),
@@ -58,8 +58,8 @@ pub(super) const LINEAR_ACCELERATION: Function = Function {
         "Also known as translational acceleration.",
     ],
     derivatives_are: &[(Argument::UDot, &LINEAR_JACOBIAN)],
-    derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::linear::acceleration,
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::linear::acceleration,
     )),
     derivatives_like: Some(&LINEAR_JACOBIAN),
     derivation: Derivation::OfFrames(roots::linear::acceleration),
@@ -80,8 +80,8 @@ pub(super) const LINEAR_JACOBIAN: Function = Function {
         "Jacobian of the origin of the frame {frame} {seen}: times `u` its velocity, m/s.",
         "A column for each speed, zero but for those of {speeds}. Also known as translational Jacobian, position Jacobian, Jacobian of a point contact.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::linear::jacobian,
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::linear::jacobian,
     )),
     derivation: Derivation::OfFrames(roots::linear::jacobian),
     terms: Terms::OfPath,
@@ -102,8 +102,8 @@ pub(super) const LINEAR_JACOBIAN_PACKED: Function = Function {
         "The columns of the Jacobian of the origin of the frame {frame} {seen}, of the speeds that move the frame alone: {speeds} says which.",
         "Times these speeds the velocity of the origin, m/s.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::linear::jacobian_packed,
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::linear::jacobian_packed,
     )),
     derivation: Derivation::OfFrames(roots::linear::jacobian_packed),
     terms: Terms::OfPath,
@@ -120,8 +120,8 @@ pub(super) const LINEAR_JACOBIAN_DOT_U: Function = Function {
         "The acceleration that the origin of the frame {frame} has in the inertial frame for `u_dot = 0`, {linear}; {axes}. Along the same axes `linear_acceleration` is",
         "`linear_jacobian` times `u_dot` plus this. Along inertial axes it is the rate of that Jacobian times `u`.",
     ],
-    derivatives: Some(JacobiansFn::OfFrames(
-        roots::jacobians::frames::linear::jacobian_dot_u,
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::linear::jacobian_dot_u,
     )),
     derivatives_like: Some(&LINEAR_JACOBIAN),
     derivation: Derivation::OfFrames(roots::linear::jacobian_dot_u),

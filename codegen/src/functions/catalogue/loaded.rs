@@ -4,7 +4,7 @@ use super::matrices::{CORIOLIS_MATRIX, MASS_MATRIX, MASS_MATRIX_INVERSE, NOTHING
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, JacobiansFn, MassMatrixUse, Output, PLAIN},
+    function::{DerivativesFn, Function, MassMatrixUse, Output, PLAIN},
     roots,
     shape::Shape,
     terms::Terms,
@@ -18,8 +18,8 @@ pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::FORCES)],
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::forces::loaded_inverse_dynamics,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::forces::loaded_inverse_dynamics,
     )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
@@ -40,8 +40,8 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     outputs: &[Output::new("u_dot", Shape::SPEEDS, Unit::ACCELERATIONS)],
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::accelerations::loaded_forward_dynamics,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::accelerations::loaded_forward_dynamics,
     )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],

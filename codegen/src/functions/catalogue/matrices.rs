@@ -4,7 +4,7 @@ use crate::{
     functions::{
         argument::Argument,
         derivation::{Derivation, either},
-        function::{Function, JacobiansFn, MassMatrixUse, Output, PLAIN},
+        function::{DerivativesFn, Function, MassMatrixUse, Output, PLAIN},
         roots,
         shape::Shape,
         terms::Terms,
@@ -64,8 +64,8 @@ pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
     arguments: &[Argument::Q, Argument::UDot],
     outputs: &[Output::new("tau", Shape::SPEEDS, Unit::FORCES)],
     derivatives_are: &[(Argument::UDot, &MASS_MATRIX)],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::forces::mass_matrix_product,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::forces::mass_matrix_product,
     )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::Mass],
@@ -85,8 +85,8 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     outputs: &[Output::new("u_dot", Shape::SPEEDS, Unit::ACCELERATIONS)],
     mass_matrix: MassMatrixUse::Accelerations,
     derivatives_are: &[(Argument::Tau, &MASS_MATRIX_INVERSE)],
-    derivatives: Some(JacobiansFn::OfSystem(
-        roots::jacobians::accelerations::mass_matrix_solve,
+    derivatives: Some(DerivativesFn::OfSystem(
+        roots::derivatives::accelerations::mass_matrix_solve,
     )),
     derivatives_like: Some(&CORIOLIS_MATRIX),
     derivatives_tell: &[KnownMatrix::MassInverse],

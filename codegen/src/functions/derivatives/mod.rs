@@ -4,7 +4,7 @@
 pub(super) mod coloring;
 pub(super) mod derivative;
 pub(super) mod derivative_trait;
-pub(super) mod jacobians;
+pub(super) mod matrices;
 mod second;
 pub(super) mod solved;
 pub(super) mod sparsity;

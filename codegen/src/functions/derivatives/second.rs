@@ -17,7 +17,7 @@ use crate::{
         argument::Argument,
         derived::Derived,
         formulation::Formulation,
-        function::Jacobians,
+        function::ByArguments,
         part::{Direct, Part},
         told::Told,
         variable::Variable,
@@ -33,7 +33,7 @@ use crate::{
 struct First {
     values: Vec<Expr>,
     /// What was found beside.
-    told: Jacobians,
+    told: ByArguments,
     /// `Y`: a row for each acceleration, a column for each entry of the variables; zero where it is given.
     rows: Vec<Vec<Expr>>,
 }
@@ -90,7 +90,7 @@ impl Part {
         graph.enter(None);
         let changes = second.with_accelerations(graph, &rows, places);
         derived.roots.extend(changes);
-        let found = Jacobians {
+        let found = ByArguments {
             values: Some(values),
             ..told
         };
@@ -110,9 +110,9 @@ impl Part {
             ..self.clone()
         };
         let begin = derived.roots.len();
-        let mut told = Jacobians::default();
-        if let Some(Direct::Matrices(jacobians)) = part.direct_by(tree, formulation, plan) {
-            told = part.derive_matrices(derived, tree, (formulation, plan), jacobians);
+        let mut told = ByArguments::default();
+        if let Some(Direct::Matrices(derivatives)) = part.direct_by(tree, formulation, plan) {
+            told = part.derive_matrices(derived, tree, (formulation, plan), derivatives);
         } else {
             part.derive_in(derived, tree, formulation, plan);
         }

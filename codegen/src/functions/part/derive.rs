@@ -76,8 +76,8 @@ impl Part {
             Route::Direct(Direct::Function(function)) => {
                 return self.derive_as(function, derived, tree, by);
             }
-            Route::Direct(Direct::Matrices(jacobians)) => {
-                let found = self.derive_matrices(derived, tree, by, jacobians);
+            Route::Direct(Direct::Matrices(derivatives)) => {
+                let found = self.derive_matrices(derived, tree, by, derivatives);
                 let matrices = self.function.derivatives_tell;
                 return found.into_told(self.values().name(), matrices);
             }

@@ -3,9 +3,9 @@
 use super::Part;
 use crate::{
     functions::{
-        derivatives::{derivative::DerivativeKind, jacobians::is_known},
+        derivatives::{derivative::DerivativeKind, matrices::is_known},
         formulation::Formulation,
-        function::{Function, JacobiansFn, MassMatrixUse},
+        function::{DerivativesFn, Function, MassMatrixUse},
         variable::Variable,
     },
     recursive::{Plan, Technique},
@@ -27,7 +27,7 @@ pub(in crate::functions) enum Direct {
     /// They are the entries of another function.
     Function(&'static Function),
     /// All of them, in a way of the function's own.
-    Matrices(JacobiansFn),
+    Matrices(DerivativesFn),
     /// Second derivatives of what is solved for, by the forces that are lacking.
     Second,
     /// Products with derivatives of what is solved for, or all of them by what `Matrices` does not know: one solution more, or one for each
@@ -68,10 +68,10 @@ impl Part {
             {
                 return Some(Direct::Function(function));
             }
-            if let Some(jacobians) = self.function.derivatives
+            if let Some(derivatives) = self.function.derivatives
                 && derivative.by.iter().any(is_known)
             {
-                return Some(Direct::Matrices(jacobians));
+                return Some(Direct::Matrices(derivatives));
             }
         }
         self.function.inverse_dynamics?;

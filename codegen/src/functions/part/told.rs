@@ -4,7 +4,7 @@ use super::{Direct, Part};
 use crate::{
     expr::{Expr, ExprGraph},
     functions::{
-        derivatives::jacobians::is_known,
+        derivatives::matrices::is_known,
         derived::Derived,
         told::{KnownMatrix, ReadOff, Told},
     },

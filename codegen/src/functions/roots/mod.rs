@@ -5,10 +5,10 @@
 
 pub(super) mod coordinates;
 pub(super) mod coriolis;
+pub(super) mod derivatives;
 pub(super) mod dynamics;
 pub(super) mod frames;
 pub(super) mod hybrid;
-pub(super) mod jacobians;
 pub(super) mod kinematics;
 pub(super) mod linear;
 pub(super) mod loaded;

@@ -88,7 +88,12 @@ impl Rows {
                 }
             }
             n_kept += own.assigned.len();
-            if given.len() + earlier.len() + n_stored + n_kept <= MOST_ROWS {
+            // These never become fewer.
+            let n_rows = given.len() + earlier.len() + n_stored;
+            if n_rows > MOST_ROWS {
+                break;
+            }
+            if n_rows + n_kept <= MOST_ROWS {
                 longest = place + 1;
             }
         }

@@ -90,11 +90,10 @@ pub(super) struct Names {
 pub(super) fn names<'a>(
     program: &Program,
     groups: &Groups,
-    tree: &Tree,
+    (tree, known): (&Tree, &InputNames),
     arguments: impl Iterator<Item = &'a str>,
     numbering: Numbering,
 ) -> Names {
-    let known = InputNames::of(tree);
     let mut of_values = vec![String::new(); program.values.len()];
     let reserved = RESERVED.into_iter().chain(words::RUST_CRATES);
     let mut taken: Taken = reserved.chain(arguments).collect();

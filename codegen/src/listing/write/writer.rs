@@ -1,9 +1,13 @@
 //! Functions of a listing, from programs.
 
+use std::collections::BTreeSet;
+
 use super::{
     InputPlaces,
     group::Groups,
-    helper, loops,
+    helper,
+    input_names::InputNames,
+    loops,
     name::{self, Numbering},
     scratch::Scratch,
     signatures, stages, statements,
@@ -26,6 +30,8 @@ pub(in crate::listing) struct FunctionWriter<'a> {
     facts: &'a Facts,
     /// Where each prepared value stands among the fields.
     fields: Vec<usize>,
+    /// What locals that hold inputs are called.
+    inputs: InputNames,
 }
 
 /// A program that becomes the body of a function.
@@ -53,6 +59,7 @@ impl<'a> FunctionWriter<'a> {
             compiled,
             facts,
             fields: places_of(&compiled.fields, &facts.fields),
+            inputs: InputNames::of(tree),
         }
     }
 
@@ -61,9 +68,11 @@ impl<'a> FunctionWriter<'a> {
         let functions = self.compiled.functions.iter();
         let sums: Vec<String> = functions.map(|own| own.request.sum()).collect();
         // A trait is implemented once, whatever other names what it stands for has.
-        let is_first = |place: usize| !sums[..place].contains(&sums[place]);
-        let places: Vec<usize> = (0..sums.len()).collect();
-        threads::map(&places, |&place| self.function(place, is_first(place)))
+        let mut known = BTreeSet::new();
+        let places = sums.iter().enumerate();
+        let places = places.map(|(place, sum)| (place, known.insert(sum)));
+        let places: Vec<(usize, bool)> = places.collect();
+        threads::map(&places, |&(place, is_first)| self.function(place, is_first))
     }
 
     fn function(&self, place: usize, is_first: bool) -> Function {
@@ -161,7 +170,13 @@ impl<'a> FunctionWriter<'a> {
         let groups = Groups::of(program);
         let arguments = signature.arguments.iter().chain(&body.scratch.declared);
         let arguments = arguments.map(|argument| argument.name.as_str());
-        let names = name::names(program, &groups, self.tree, arguments, body.numbering);
+        let names = name::names(
+            program,
+            &groups,
+            (self.tree, &self.inputs),
+            arguments,
+            body.numbering,
+        );
         let known = ProgramContext {
             groups: &groups,
             names: &names,

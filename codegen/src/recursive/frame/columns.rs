@@ -61,7 +61,7 @@ pub(super) fn local(
 ) -> Contributions {
     let reach = Reach::of(graph, tree, links, frame);
     let path = path(tree, frame);
-    let mut levers = Levers {
+    let mut levers = LeversInward {
         lever: reach.of_point(graph, point),
         at_turns: Vec::new(),
     };
@@ -70,7 +70,7 @@ pub(super) fn local(
         links[body].passage.inward(graph, &mut levers);
         graph.name_vector(levers.lever, "lever");
     }
-    let mut own = Own {
+    let mut own = ColumnsOutward {
         levers: levers.at_turns,
         columns: Columns::default(),
     };
@@ -204,13 +204,13 @@ impl Passenger for Behind {
 }
 
 /// Where the frame's origin is, on the way inward.
-struct Levers {
+struct LeversInward {
     lever: Vector,
     /// The same wherever rotations end, in the order of the way.
     at_turns: Vec<Vector>,
 }
 
-impl Passenger for Levers {
+impl Passenger for LeversInward {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
         self.lever = graph.add_vectors(self.lever, offset);
     }
@@ -224,13 +224,13 @@ impl Passenger for Levers {
 }
 
 /// On the way outward to the frame itself.
-struct Own {
+struct ColumnsOutward {
     /// The levers of the rest of the way.
     levers: Vec<Vector>,
     columns: Columns,
 }
 
-impl Passenger for Own {
+impl Passenger for ColumnsOutward {
     fn shift(&mut self, _: &mut ExprGraph, _: BodyId, _: Vector) {}
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {

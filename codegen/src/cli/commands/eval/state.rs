@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use kane_codegen::{
     diagnostic::{Diagnostic, Diagnostics, Escaped, Faults, NearNames, Severity, Source, Span},
     expr::Input,
-    functions::{Argument, Dimension, Element, Function, Request, variable_elsewhere},
+    functions::{Argument, Dimension, Element, Function, PARAMETERS, Request, variable_elsewhere},
     id::ParameterId,
     tree::Tree,
 };
@@ -22,8 +22,6 @@ use crate::cli::commands::eval::{
 
 /// The values of inputs.
 pub(crate) type State = BTreeMap<Input, f64>;
-
-const PARAMETERS: &str = "parameters";
 
 /// So many faults are shown where they stand: to find each, the text is read again.
 const MOST_PLACED: usize = 100;

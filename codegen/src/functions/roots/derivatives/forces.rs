@@ -5,7 +5,7 @@ use crate::{
     differentiate::{Seeds, Sweep, forward},
     expr::ExprGraph,
     functions::{
-        argument::Argument, formulation::Way, function::Jacobians, roots::dynamics,
+        argument::Argument, formulation::Way, function::ByArguments, roots::dynamics,
         variable::Variable,
     },
     given::{Accelerations, Loads},
@@ -22,7 +22,7 @@ pub(in crate::functions) fn inverse_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     of_forces(graph, tree, plan, (Accelerations::Given, Loads::Absent))
 }
 
@@ -30,16 +30,20 @@ pub(in crate::functions) fn loaded_inverse_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     of_forces(graph, tree, plan, (Accelerations::Given, Loads::Given))
 }
 
-pub(in crate::functions) fn bias(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Jacobians {
+pub(in crate::functions) fn bias(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> ByArguments {
     of_forces(graph, tree, plan, (Accelerations::Zero, Loads::Absent))
 }
 
 /// What is left of loads once bodies have what they need at zero accelerations.
-pub(in crate::functions) fn forcing(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Jacobians {
+pub(in crate::functions) fn forcing(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> ByArguments {
     let mut needed = of_forces(graph, tree, plan, (Accelerations::Zero, Loads::Given));
     for (_, matrix) in &mut needed.by {
         for entry in matrix.iter_mut().flatten() {
@@ -54,10 +58,10 @@ pub(in crate::functions) fn mass_matrix_product(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     let found = derivatives::of_mass_matrix_product(graph, tree, plan, Accelerations::Given);
     let mass = dynamics::with_rotors(graph, tree, found.by_u_dot);
-    Jacobians {
+    ByArguments {
         by: vec![(Argument::Q, found.by_q), (Argument::UDot, mass.clone())],
         values: None,
         mass: Some(mass),
@@ -69,7 +73,7 @@ pub(in crate::functions) fn gravity_forces(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     let potential = energy::of_weights(graph, tree, plan);
     let forces = swept(graph, tree, Argument::Q, Sweep::Reverse, &[potential]).concat();
     let mut by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &forces);
@@ -78,7 +82,7 @@ pub(in crate::functions) fn gravity_forces(
     for [row, column] in pairs.filter(|pair| !kept.contains(pair)) {
         by_q[column][row] = by_q[row][column];
     }
-    Jacobians {
+    ByArguments {
         by: vec![(Argument::Q, by_q)],
         values: Some(forces),
         mass: None,
@@ -90,7 +94,7 @@ fn of_forces(
     tree: &Tree,
     plan: &Plan,
     (accelerations, loads): (Accelerations<'_>, Loads),
-) -> Jacobians {
+) -> ByArguments {
     let found =
         derivatives::of_inverse_dynamics(graph, tree, plan, accelerations, loads, Wanted::ALL);
     let mut all = vec![(Argument::Q, found.by_q), (Argument::U, found.by_u)];
@@ -102,7 +106,7 @@ fn of_forces(
         add_mechanics(graph, tree, plan, accelerations, &mut all);
         dynamics::with_rotors(graph, tree, found.by_u_dot)
     };
-    Jacobians {
+    ByArguments {
         by: all,
         values: None,
         mass: Some(mass),

@@ -14,8 +14,8 @@ use crate::{
     functions::{
         argument::Argument,
         formulation::Way,
-        function::Jacobians,
-        roots::{frames, jacobians::swept::swept},
+        function::ByArguments,
+        roots::{derivatives::swept::swept, frames},
         subject::{Subject, View},
     },
     given::Accelerations,
@@ -29,7 +29,7 @@ pub(in crate::functions) fn acceleration(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     derived(graph, tree, plan, subject, Accelerations::Given)
 }
 
@@ -39,7 +39,7 @@ pub(in crate::functions) fn jacobian_dot_u(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     derived(graph, tree, plan, subject, Accelerations::Zero)
 }
 
@@ -49,7 +49,7 @@ fn derived(
     plan: &Plan,
     subject: &Subject,
     accelerations: Accelerations<'static>,
-) -> Jacobians {
+) -> ByArguments {
     let way = Way::Recursive(plan);
     let by_u_dot = frames::jacobian(graph, tree, way, subject);
     let (values, by_q, by_u) = if tree.has_followers() {
@@ -65,7 +65,7 @@ fn derived(
     if accelerations == Accelerations::Given {
         by.push((Argument::UDot, by_rows(&by_u_dot, tree.n_speeds)));
     }
-    Jacobians {
+    ByArguments {
         by,
         values: Some(values),
         mass: None,

@@ -7,7 +7,7 @@ use super::swept::swept;
 use crate::{
     differentiate::Sweep,
     expr::{Expr, ExprGraph, Input, Vector},
-    functions::{argument::Argument, formulation::Way, function::Jacobians, roots::matrices},
+    functions::{argument::Argument, formulation::Way, function::ByArguments, roots::matrices},
     given::mechanics,
     kane::center::Momentum,
     recursive::{
@@ -24,15 +24,15 @@ pub(in crate::functions) fn potential_energy(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     let of_weights = gravity::gravity_forces(graph, tree, plan);
     let springs = mechanics::potential(graph, tree);
     let of_springs = swept(graph, tree, Argument::Q, Sweep::Reverse, &[springs]).concat();
     let gradient = of_weights.into_iter().zip(of_springs);
     let gradient = gradient.map(|(weight, spring)| graph.add(weight, spring));
-    Jacobians {
+    ByArguments {
         by: vec![(Argument::Q, vec![gradient.collect()])],
-        ..Jacobians::default()
+        ..ByArguments::default()
     }
 }
 
@@ -41,7 +41,7 @@ pub(in crate::functions) fn kinetic_energy(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     let product = matrices::product(graph, tree, Way::Recursive(plan));
     let speeds: Vec<Expr> = Argument::U
         .inputs(tree)
@@ -50,7 +50,7 @@ pub(in crate::functions) fn kinetic_energy(
     let speeds: BTreeMap<Input, Expr> = Argument::UDot.inputs(tree).zip(speeds).collect();
     let by_u = graph.substituted(&product, &speeds);
     let energy = energy::kinetic(graph, tree, plan);
-    Jacobians {
+    ByArguments {
         by: vec![
             (
                 Argument::Q,
@@ -58,7 +58,7 @@ pub(in crate::functions) fn kinetic_energy(
             ),
             (Argument::U, vec![by_u]),
         ],
-        ..Jacobians::default()
+        ..ByArguments::default()
     }
 }
 
@@ -66,7 +66,7 @@ pub(in crate::functions) fn linear_momentum(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     of_resultant(&resultant::of_momentum(graph, tree, plan), |own| {
         vec![own.linear]
     })
@@ -76,7 +76,7 @@ pub(in crate::functions) fn angular_momentum(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     of_resultant(&resultant::of_momentum(graph, tree, plan), |own| {
         vec![own.angular]
     })
@@ -86,7 +86,7 @@ pub(in crate::functions) fn momentum_rate(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     of_resultant(&resultant::of_momentum_rate(graph, tree, plan), |own| {
         vec![own.linear, own.angular]
     })
@@ -96,7 +96,7 @@ pub(in crate::functions) fn center_velocity(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     of_resultant(&resultant::of_center_velocity(graph, tree, plan), |own| {
         vec![own.linear]
     })
@@ -106,7 +106,7 @@ pub(in crate::functions) fn center_jacobian_dot_u(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     of_resultant(
         &resultant::of_center_acceleration(graph, tree, plan),
         |own| vec![own.linear],
@@ -114,14 +114,14 @@ pub(in crate::functions) fn center_jacobian_dot_u(
 }
 
 /// Of parts of a resultant, a row for each component.
-fn of_resultant(found: &Resultant, parts: fn(&Momentum) -> Vec<Vector>) -> Jacobians {
+fn of_resultant(found: &Resultant, parts: fn(&Momentum) -> Vec<Vector>) -> ByArguments {
     let values = parts(&found.whole).concat();
     let matrix = |columns: &[Momentum]| {
         let columns: Vec<Vec<Expr>> = columns.iter().map(|own| parts(own).concat()).collect();
         let row = |row: usize| columns.iter().map(|column| column[row]).collect();
         (0..values.len()).map(row).collect()
     };
-    Jacobians {
+    ByArguments {
         by: vec![
             (Argument::Q, matrix(&found.by_q)),
             (Argument::U, matrix(&found.by_u)),

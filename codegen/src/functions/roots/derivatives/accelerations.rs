@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     expr::{Expr, ExprGraph, LANES},
-    functions::{argument::Argument, function::Jacobians, roots::dynamics},
+    functions::{argument::Argument, function::ByArguments, roots::dynamics},
     given::{Accelerations, Loads, mechanics},
     recursive::{
         Plan, Technique,
@@ -37,7 +37,7 @@ pub(in crate::functions) fn forward_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     of_accelerations(graph, tree, plan, Loads::Absent)
 }
 
@@ -45,7 +45,7 @@ pub(in crate::functions) fn loaded_forward_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     of_accelerations(graph, tree, plan, Loads::Given)
 }
 
@@ -54,7 +54,7 @@ pub(in crate::functions) fn mass_matrix_solve(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     let tau = dynamics::applied(graph, tree);
     let u_dot = inverse_mass::solution(graph, tree, plan, tau);
     let inverse = inverse_mass::inverse(graph, tree, plan);
@@ -63,7 +63,7 @@ pub(in crate::functions) fn mass_matrix_solve(
     let columns = solve::transposed(&needed.by_q).into_iter();
     let columns = columns.map(|own| solve::negated(solve::product(graph, &inverse, &own)));
     let columns: Vec<Vec<Expr>> = columns.collect();
-    Jacobians {
+    ByArguments {
         by: vec![
             (Argument::Q, solve::transposed(&columns)),
             (Argument::Tau, inverse),
@@ -74,7 +74,7 @@ pub(in crate::functions) fn mass_matrix_solve(
 }
 
 /// By coordinates and speeds `-M^-1` times how the forces change at these accelerations; by forces `M^-1`.
-fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Loads) -> Jacobians {
+fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Loads) -> ByArguments {
     let zero = Accelerations::Zero;
     let in_lockstep = plan.uses(Technique::Lockstep);
     // Columns pass twice and share what they have in common, which calls do not.
@@ -104,7 +104,7 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
             row[speed.index()] = entry;
         }
     }
-    Jacobians {
+    ByArguments {
         by: vec![
             (Argument::Q, by_q),
             (Argument::U, by_u),

@@ -8,7 +8,7 @@ use super::{carrying, swept::swept};
 use crate::{
     differentiate::Sweep,
     expr::ExprGraph,
-    functions::{argument::Argument, entries::Entries as _, function::Jacobians},
+    functions::{argument::Argument, entries::Entries as _, function::ByArguments},
     given,
     id::SpeedId,
     kane::center::Momentum,
@@ -24,7 +24,7 @@ pub(in crate::functions) fn momentum_matrix(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     let (by_q, entries) = if tree.has_followers() {
         let entries = columns::momentum_matrix(graph, tree, plan).entries();
         let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &entries);
@@ -34,7 +34,7 @@ pub(in crate::functions) fn momentum_matrix(
         let by_q = by_motions(graph, tree, &columns, &changes);
         (by_q, columns.entries())
     };
-    Jacobians {
+    ByArguments {
         by: vec![(Argument::Q, by_q)],
         values: Some(entries),
         mass: None,

@@ -12,7 +12,7 @@ use crate::{
     expr::{Expr, ExprGraph, Input},
     functions::{
         argument::Argument,
-        function::Jacobians,
+        function::ByArguments,
         roots::{dynamics, hybrid::whole},
     },
     given::{Accelerations, Loads, mechanics},
@@ -33,7 +33,7 @@ pub(in crate::functions) fn hybrid_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Jacobians {
+) -> ByArguments {
     let (zero, loads) = (Accelerations::Zero, Loads::Absent);
     // Columns pass twice and share what they have in common, which calls do not.
     let in_lockstep = plan.uses(Technique::Lockstep) && plan.calls_twice();
@@ -65,7 +65,7 @@ pub(in crate::functions) fn hybrid_dynamics(
     let mut by_tau = columns.by_forces(graph, &by_u_dot);
     let by_q = columns.by_coordinates(graph, by_q, u_dot, &by_tau);
     columns.copy_given(graph, &mut by_tau);
-    Jacobians {
+    ByArguments {
         by: vec![
             (Argument::Q, by_q),
             (Argument::U, columns.of_needed(graph, &by_u)),

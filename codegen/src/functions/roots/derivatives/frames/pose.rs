@@ -4,7 +4,8 @@ use super::columns::by_rows;
 use crate::{
     expr::{Expr, ExprGraph, Vector},
     functions::{
-        argument::Argument, formulation::Way, function::Jacobians, roots::frames, subject::Subject,
+        argument::Argument, formulation::Way, function::ByArguments, roots::frames,
+        subject::Subject,
     },
     recursive::Plan,
     tree::Tree,
@@ -16,7 +17,7 @@ pub(in crate::functions) fn pose(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     let way = Way::Recursive(plan);
     let pose = frames::pose(graph, tree, way, subject);
     let motion = frames::jacobian(graph, tree, way, subject);
@@ -24,7 +25,7 @@ pub(in crate::functions) fn pose(
     let (linear, angular) = motion.split_at(3);
     let mut by_q = turned(graph, &pose[..9], angular);
     by_q.extend_from_slice(linear);
-    Jacobians {
+    ByArguments {
         by: vec![(Argument::Q, by_q)],
         values: Some(pose),
         mass: None,

@@ -4,13 +4,17 @@ use super::{carrying, swept::swept};
 use crate::{
     differentiate::Sweep,
     expr::{ExprGraph, Vector},
-    functions::{argument::Argument, entries::Entries as _, function::Jacobians},
+    functions::{argument::Argument, entries::Entries as _, function::ByArguments},
     recursive::{Plan, totals::momentum_matrix},
     solve::SpeedMatrix,
     tree::Tree,
 };
 
-pub(in crate::functions) fn jacobian(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Jacobians {
+pub(in crate::functions) fn jacobian(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> ByArguments {
     let (by_q, entries) = if tree.has_followers() {
         let entries = momentum_matrix::center_jacobian(graph, tree, plan).entries();
         let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &entries);
@@ -19,7 +23,7 @@ pub(in crate::functions) fn jacobian(graph: &mut ExprGraph, tree: &Tree, plan: &
         let (by_q, columns) = by_motions(graph, tree, plan);
         (by_q, columns.entries())
     };
-    Jacobians {
+    ByArguments {
         by: vec![(Argument::Q, by_q)],
         values: Some(entries),
         mass: None,

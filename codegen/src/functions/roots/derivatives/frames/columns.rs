@@ -7,10 +7,10 @@ use crate::{
     functions::{
         argument::Argument,
         formulation::Way,
-        function::Jacobians,
+        function::ByArguments,
         roots::{
+            derivatives::{carrying::Carrying, swept::swept},
             frames,
-            jacobians::{carrying::Carrying, swept::swept},
         },
         subject::{Subject, View},
     },
@@ -25,7 +25,7 @@ pub(in crate::functions) fn jacobian(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     let entries = frames::jacobian(graph, tree, Way::Recursive(plan), subject);
     of_columns(graph, tree, subject, &all(tree), entries)
 }
@@ -35,7 +35,7 @@ pub(in crate::functions) fn jacobian_packed(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     let entries = frames::jacobian_packed(graph, tree, Way::Recursive(plan), subject);
     of_columns(graph, tree, subject, &subject.speeds(tree), entries)
 }
@@ -45,7 +45,7 @@ pub(in crate::functions) fn point_jacobian(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     let entries = frames::point_jacobian(graph, tree, Way::Recursive(plan), subject);
     of_columns(graph, tree, subject, &all(tree), entries)
 }
@@ -62,7 +62,7 @@ fn of_columns(
     subject: &Subject,
     speeds: &[SpeedId],
     entries: Vec<Expr>,
-) -> Jacobians {
+) -> ByArguments {
     let by_q = if subject.view == View::Other || tree.has_followers() {
         swept(graph, tree, Argument::Q, Sweep::Forward, &entries)
     } else {
@@ -86,7 +86,7 @@ fn of_columns(
         }
         rows
     };
-    Jacobians {
+    ByArguments {
         by: vec![(Argument::Q, by_q)],
         values: Some(entries),
         mass: None,

@@ -10,8 +10,8 @@ use crate::{
     functions::{
         argument::Argument,
         formulation::Way,
-        function::Jacobians,
-        roots::{frames, jacobians::swept::swept},
+        function::ByArguments,
+        roots::{derivatives::swept::swept, frames},
         subject::{Subject, View},
     },
     given::Accelerations,
@@ -26,7 +26,7 @@ pub(in crate::functions) fn velocity(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     let way = Way::Recursive(plan);
     let by_u = frames::jacobian(graph, tree, way, subject);
     let (values, by_q) = if tree.has_followers() {
@@ -37,7 +37,7 @@ pub(in crate::functions) fn velocity(
         by_motions(graph, tree, subject, &of_rows(&by_u, tree.n_speeds))
     };
     let by_u = by_rows(&by_u, tree.n_speeds);
-    Jacobians {
+    ByArguments {
         by: vec![(Argument::Q, by_q), (Argument::U, by_u)],
         values: Some(values),
         mass: None,

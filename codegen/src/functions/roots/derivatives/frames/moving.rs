@@ -5,7 +5,7 @@
 
 use crate::{
     expr::{Expr, ExprGraph, Input, Vector},
-    functions::{roots::jacobians::carrying::Carrying, subject::Subject},
+    functions::{roots::derivatives::carrying::Carrying, subject::Subject},
     given::{self, Accelerations},
     id::SpeedId,
     solve::SpeedMatrix,

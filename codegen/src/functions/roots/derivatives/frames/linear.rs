@@ -3,7 +3,7 @@
 use super::{acceleration, columns, velocity};
 use crate::{
     expr::ExprGraph,
-    functions::{function::Jacobians, subject::Subject},
+    functions::{function::ByArguments, subject::Subject},
     recursive::Plan,
     tree::Tree,
 };
@@ -13,7 +13,7 @@ pub(in crate::functions) fn jacobian(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     linear(columns::jacobian(graph, tree, plan, subject))
 }
 
@@ -22,7 +22,7 @@ pub(in crate::functions) fn jacobian_packed(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     linear(columns::jacobian_packed(graph, tree, plan, subject))
 }
 
@@ -31,7 +31,7 @@ pub(in crate::functions) fn velocity(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     linear(velocity::velocity(graph, tree, plan, subject))
 }
 
@@ -40,7 +40,7 @@ pub(in crate::functions) fn acceleration(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     linear(acceleration::acceleration(graph, tree, plan, subject))
 }
 
@@ -49,12 +49,12 @@ pub(in crate::functions) fn jacobian_dot_u(
     tree: &Tree,
     plan: &Plan,
     subject: &Subject,
-) -> Jacobians {
+) -> ByArguments {
     linear(acceleration::jacobian_dot_u(graph, tree, plan, subject))
 }
 
 /// Without the half that is angular.
-fn linear(mut whole: Jacobians) -> Jacobians {
+fn linear(mut whole: ByArguments) -> ByArguments {
     for (_, rows) in &mut whole.by {
         rows.truncate(rows.len() / 2);
     }

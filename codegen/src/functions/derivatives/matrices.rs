@@ -12,7 +12,7 @@ use crate::{
         argument::Argument,
         derived::Derived,
         formulation::Formulation,
-        function::{Jacobians, JacobiansFn},
+        function::{ByArguments, DerivativesFn},
         part::Part,
         told::{KnownMatrix, Told},
         variable::Variable,
@@ -36,13 +36,13 @@ impl Part {
         derived: &mut Derived,
         tree: &Tree,
         (formulation, plan): (Formulation, &Plan),
-        jacobians: JacobiansFn,
-    ) -> Jacobians {
+        derivatives: DerivativesFn,
+    ) -> ByArguments {
         let derivative = self.differentiated();
         let others = derivative.by.iter().filter(|by| !is_known(by));
         let others = others.cloned().collect();
         let subject = self.subject.as_ref();
-        let told = jacobians.derive(&mut derived.graph, tree, plan, subject);
+        let told = derivatives.derive(&mut derived.graph, tree, plan, subject);
         let others = Derivative::new(DerivativeKind::Jacobian, others);
         let mut others = self
             .matrices_of_others(derived, tree, (formulation, plan), others, &told)
@@ -65,7 +65,7 @@ impl Part {
         tree: &Tree,
         (formulation, plan): (Formulation, &Plan),
         others: Derivative,
-        told: &Jacobians,
+        told: &ByArguments,
     ) -> Vec<Matrix> {
         if others.by.is_empty() {
             return Vec::new();
@@ -107,7 +107,7 @@ impl Part {
     }
 }
 
-impl Jacobians {
+impl ByArguments {
     /// What they tell other parts: the values are those of the function of this name; it finds these matrices.
     pub(in crate::functions) fn into_told(
         mut self,
