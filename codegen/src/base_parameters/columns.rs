@@ -1,11 +1,11 @@
 //! The columns of the regressor as numbers: of each body and parameter what it is in seeded states.
 
-use std::{collections::BTreeMap, ops::Range};
+use std::collections::BTreeMap;
 
 use crate::{
     drawn::with_unit_quaternions,
     expr::{ExprGraph, Input},
-    id::{BodyId, CoordinateId, ParameterId, SpeedId},
+    id::{CoordinateId, ParameterId, SpeedId},
     number::Rounded,
     random::Random,
     recursive::{Plan, regressor},
@@ -14,11 +14,6 @@ use crate::{
 
 /// States for each body that a speed moves: enough for twice the columns that are compared.
 const STATES: usize = 20;
-
-/// The first moments among a body's parameters.
-const MOMENTS: Range<usize> = 1..4;
-/// The components of its inertia.
-const INERTIAS: Range<usize> = 4..N_INERTIAL;
 
 /// A column is nothing where it is shorter beside the longest of its kind: rotations leave that of zeros.
 const CRUMB: f64 = 1e-13;
@@ -63,7 +58,7 @@ impl Columns {
         let columns = numbers.iter().map(|numbers| Column::of(numbers));
         let mut columns: Vec<Column> = columns.collect();
         for of_body in columns.chunks_mut(N_INERTIAL) {
-            for alike in [MOMENTS, INERTIAS] {
+            for alike in [InertialParameter::MOMENTS, InertialParameter::INERTIAS] {
                 compare(&mut of_body[alike]);
             }
         }
@@ -114,19 +109,6 @@ fn compare(columns: &mut [Column]) {
             column.unit.fill(0.0);
             column.error = 0.0;
         }
-    }
-}
-
-/// Where the column of a body's own parameter stands.
-pub(super) fn place(body: BodyId, own: usize) -> usize {
-    body.index() * N_INERTIAL + own
-}
-
-/// The parameter of the column at a place.
-pub(super) fn parameter(place: usize) -> InertialParameter {
-    InertialParameter {
-        body: BodyId::new(place / N_INERTIAL),
-        place: place % N_INERTIAL,
     }
 }
 

@@ -95,7 +95,7 @@ fn combined(relations: &[Relation], columns: &Columns) -> Vec<BaseParameter> {
         };
         for (&left, &factor) in share.iter().filter(is_term) {
             let own = terms.entry(left).or_default();
-            let term = (columns::parameter(column), factor);
+            let term = (InertialParameter::of_column(column), factor);
             if column == left {
                 own.insert(0, term);
             } else {

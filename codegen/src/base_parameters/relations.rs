@@ -1,12 +1,12 @@
 //! Which columns others give.
 
 use super::{
-    columns::{self, Column, Columns},
+    columns::{Column, Columns},
     span::{Projected, Span},
 };
 use crate::{
     id::BodyId,
-    tree::{N_INERTIAL, Tree},
+    tree::{InertialParameter, N_INERTIAL, Tree},
 };
 
 /// A column and the others.
@@ -54,7 +54,9 @@ fn related(tree: &Tree, columns: &Columns, pattern: Option<&Relations>) -> Relat
     };
     for body in tree.body_ids() {
         let mut near = of_lower(tree, columns, body, &relating.relations.of);
-        let mut waiting = ORDER.map(|own| columns::place(body, own)).to_vec();
+        let mut waiting = ORDER
+            .map(|place| InertialParameter { body, place }.column())
+            .to_vec();
         waiting.retain(|&place| relating.waits(&mut near, place));
         for place in waiting {
             relating.relate(&mut near, place);
@@ -138,7 +140,9 @@ fn of_lower<'a>(
     relations: &[Relation],
 ) -> Span<'a> {
     let lower = tree.lower(body).into_iter();
-    let places = lower.flat_map(|lower| (0..N_INERTIAL).map(move |own| columns::place(lower, own)));
+    let places = lower.flat_map(|lower| {
+        (0..N_INERTIAL).map(move |place| InertialParameter { body: lower, place }.column())
+    });
     let is_left = |place: &usize| relations[*place] == Relation::Left;
     let (left, given): (Vec<usize>, Vec<usize>) = places.partition(is_left);
     let mut span = Span::default();

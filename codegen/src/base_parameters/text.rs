@@ -2,10 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::{
-    kane::regressor::PARAMETERS,
-    tree::{BaseParameter, Tree},
-};
+use crate::tree::{BaseParameter, InertialParameter, Tree};
 
 /// Factors beyond these are written with a power of ten.
 const LEAST: f64 = 1e-4;
@@ -29,7 +26,7 @@ pub fn text(tree: &Tree, parameter: &BaseParameter) -> String {
             let _ = write!(text, "{rounded} ");
         }
         let body = &tree.body(own.body).name;
-        let _ = write!(text, "{}({body})", PARAMETERS[own.place]);
+        let _ = write!(text, "{}({body})", InertialParameter::NAMES[own.place]);
     }
     text
 }

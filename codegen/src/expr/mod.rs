@@ -18,6 +18,7 @@ mod node;
 mod nodes;
 mod outline;
 mod purpose;
+mod rebuilt;
 mod shared;
 mod vector;
 
@@ -26,5 +27,6 @@ pub use graph::ExprGraph;
 pub use lockstep::{Call, Helper, LANES, Lockstep};
 pub use node::{Binding, CallId, CallResult, Expr, Input, Label, Node, NodeId, SINE};
 pub use purpose::Purpose;
+pub(crate) use rebuilt::Rebuilt;
 pub use shared::Shared;
 pub use vector::{Axis, Matrix, Symmetric, Vector, negated, transpose};

@@ -3,8 +3,8 @@
 //! In: a request, a tree, by which plan each part is derived. Out: [`Derived`].
 
 use super::{
-    arrangement::Arrangement, derived::Derived, formulation::Formulation, part::Part,
-    request::Request, told::Told,
+    arrangement::Arrangement, derived::Derived, formulation::Formulation, function::Function,
+    part::Part, request::Request, told::Told,
 };
 use crate::{
     differentiate::Sweep,
@@ -109,5 +109,13 @@ impl Request {
         let (last, mut order): (Vec<_>, Vec<_>) = (0..parts.len()).partition(is_told);
         order.extend(last);
         order
+    }
+}
+
+impl Function {
+    /// Derives a function of the whole system; one that has a single formulation takes no notice of `formulation`, and only
+    /// the recursive one of `plan`.
+    pub fn derive(&'static self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
+        Request::from(self).derive(tree, formulation, plan)
     }
 }

@@ -4,7 +4,10 @@
 //! with `column <= row`, row after row; of a regressor column after column. Afterwards: places follow from the tree alone, never from
 //! values, and those of a new last leaf come last.
 
-use crate::{kane::regressor, solve, tree::Tree};
+use crate::{
+    solve,
+    tree::{Tree, regressor_places},
+};
 
 /// The constant that holds the order in which speeds are eliminated.
 pub const ELIMINATION: &str = "MASS_MATRIX_FACTORS_ORDER";
@@ -73,7 +76,7 @@ impl Packed {
                 places: "REGRESSOR_PACKED_PLACES",
                 brief: "Number of entries of a packed regressor",
                 written: "The row, which is a speed, and the column, `10 body + parameter`, of each entry that `regressor_packed` writes, column after column; all others are zero.",
-                of: regressor::places,
+                of: regressor_places,
             },
         }
     }

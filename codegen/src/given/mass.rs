@@ -148,6 +148,7 @@ pub fn inertial_parameters(graph: &mut ExprGraph, parts: &[RigidPart]) -> [Expr;
         inertia = graph.add_symmetric(&inertia, &own);
     }
     let ([x, y, z], [xx, yy, zz], [yz, xz, xy]) = (moment, inertia.diagonal, inertia.mixed);
+    // As `InertialParameter::NAMES` has them.
     [mass, x, y, z, xx, xy, yy, xz, yz, zz]
 }
 

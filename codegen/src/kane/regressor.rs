@@ -1,9 +1,7 @@
 //! Forces as they are linear in inertial parameters: those of each body's ten parameters, one at a time.
 //!
 //! The parameters are those of a body about the user's origin and along the user's axes: mass, first moment and inertia, that is
-//! `m`, `m c`, and the components of [`PARAMETERS`] that follow.
-
-use std::collections::BTreeMap;
+//! `m`, `m c`, and the components of [`InertialParameter`] that follow.
 
 use super::{
     dynamics::{self, Wrench},
@@ -13,16 +11,8 @@ use crate::{
     expr::{Expr, ExprGraph, Symmetric, Vector, negated},
     given::{self, Accelerations},
     id::{BodyId, BodyMap, SpeedId},
-    tree::{N_INERTIAL, Tree},
+    tree::{InertialParameter, N_INERTIAL, Tree, regressor_place},
 };
-
-/// The names of a body's inertial parameters, in their order.
-pub const PARAMETERS: [&str; N_INERTIAL] = [
-    "m", "mcx", "mcy", "mcz", "ixx", "ixy", "iyy", "ixz", "iyz", "izz",
-];
-
-/// The row and the column of each component of the inertia.
-pub const COMPONENTS: [[usize; 2]; 6] = [[0, 0], [0, 1], [1, 1], [0, 2], [1, 2], [2, 2]];
 
 /// For each speed, body and parameter what `tau` has of it: Eq. (36) of the inertia forces of a body that has this parameter
 /// of one, and no other.
@@ -32,51 +22,22 @@ pub fn regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let relative = &motion.rotational.relative;
     let gravity = dynamics::gravity_in_bodies(graph, tree, relative);
     let partials = velocity::partials(graph, tree, relative);
-    let mut y = vec![graph.zero(); tree.n_speeds * tree.bodies.len() * PARAMETERS.len()];
+    let mut y = vec![graph.zero(); tree.n_speeds * tree.bodies.len() * N_INERTIAL];
     for body in tree.body_ids() {
         let felt = Felt::new(graph, tree, body, &motion, &gravity);
         let [v, w] = rows(graph, tree, body, &motion, &partials);
-        for parameter in 0..PARAMETERS.len() {
+        for parameter in 0..N_INERTIAL {
             let Wrench { force, moment } = felt.wrench(graph, parameter);
             for (columns, part) in [(&v, force), (&w, moment)] {
                 for &(speed, column) in columns {
                     let term = graph.dot(column, part);
-                    let entry = &mut y[place(tree, speed.index(), body, parameter)];
+                    let entry = &mut y[regressor_place(tree, speed.index(), body, parameter)];
                     *entry = graph.add(*entry, term);
                 }
             }
         }
     }
     y
-}
-
-/// Where the entry of a speed, a body and a parameter stands.
-pub fn place(tree: &Tree, speed: usize, body: BodyId, parameter: usize) -> usize {
-    (speed * tree.bodies.len() + body.index()) * PARAMETERS.len() + parameter
-}
-
-/// The row and the column, `10 body + parameter`, of each entry that the tree does not make zero, column after column: those of
-/// the speeds that move a body, and of those that turn none of its joints in the columns of mass and first moment alone.
-pub fn places(tree: &Tree) -> Vec<[usize; 2]> {
-    let mut places = Vec::new();
-    // Of each body the speeds that move it, and whether they turn it.
-    let mut moving: Vec<BTreeMap<SpeedId, bool>> = Vec::with_capacity(tree.bodies.len());
-    for (place, body) in tree.bodies.iter().enumerate() {
-        let below = body.lower.map(|lower| moving[lower.index()].clone());
-        let mut speeds = below.unwrap_or_default();
-        for (motion, own) in body.joint.motions().into_iter().enumerate() {
-            if let Some(own) = own {
-                *speeds.entry(own.speed).or_default() |= motion < 3;
-            }
-        }
-        for parameter in 0..PARAMETERS.len() {
-            let column = place * PARAMETERS.len() + parameter;
-            let felt = speeds.iter().filter(|&(_, turns)| *turns || parameter < 4);
-            places.extend(felt.map(|(speed, _)| [speed.index(), column]));
-        }
-        moving.push(speeds);
-    }
-    places
 }
 
 type Columns = Vec<(SpeedId, Vector)>;
@@ -149,7 +110,7 @@ impl Felt {
                 }
             }
             _ => {
-                let inertia = unit_inertia(graph, COMPONENTS[parameter - 4]);
+                let inertia = unit_inertia(graph, InertialParameter::COMPONENTS[parameter - 4]);
                 Wrench {
                     force: zero,
                     moment: dynamics::euler(graph, &inertia, w, alpha),

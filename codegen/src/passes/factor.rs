@@ -4,8 +4,7 @@
 //! operations in the loop. Does not: touch a labelled value, one that is used twice, or a sum that takes a product of another
 //! body, for what one body's terms have in common must not change another body's lines.
 
-use super::rebuild::Rebuilt;
-use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
+use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId, Rebuilt};
 
 /// The graph with its sums factored, and its roots.
 pub fn run(mut graph: ExprGraph, mut roots: Vec<Expr>) -> (ExprGraph, Vec<Expr>) {

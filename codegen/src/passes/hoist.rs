@@ -6,9 +6,8 @@
 
 use std::collections::BTreeMap;
 
-use super::rebuild::Rebuilt;
 use crate::{
-    expr::{Binding, Expr, ExprGraph, Input, Node, NodeId},
+    expr::{Binding, Expr, ExprGraph, Input, Node, NodeId, Rebuilt},
     id::BodyId,
 };
 

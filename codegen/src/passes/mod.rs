@@ -16,7 +16,6 @@ pub mod angles;
 pub mod branches;
 pub mod factor;
 pub mod hoist;
-mod rebuild;
 pub mod reuse;
 pub mod sines;
 mod theorems;

@@ -5,12 +5,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{
-    rebuild::Rebuilt,
-    theorems::{of_angle, of_sum, without_crumb},
-};
+use super::theorems::{of_angle, of_sum, without_crumb};
 use crate::{
-    expr::{Binding, Expr, ExprGraph, Input, Node, NodeId},
+    expr::{Binding, Expr, ExprGraph, Input, Node, NodeId, Rebuilt},
     id::CoordinateId,
     tree::Angle,
 };

@@ -13,7 +13,9 @@ mod links;
 pub mod matrices;
 mod plan;
 pub mod regressor;
+mod technique;
 pub mod totals;
 
 pub use links::{inertia::sparse_inertias, parallel::parallel_axes};
-pub use plan::{Plan, Regroup, Technique};
+pub use plan::{Plan, Regroup};
+pub use technique::Technique;

@@ -1,20 +1,8 @@
-//! Inertial parameters of bodies, and combinations of them.
+//! Combinations of inertial parameters.
 
 use std::sync::OnceLock;
 
-use crate::id::BodyId;
-
-/// How many inertial parameters a body has.
-pub const N_INERTIAL: usize = 10;
-
-/// One of the ten inertial parameters of a body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct InertialParameter {
-    /// The body.
-    pub body: BodyId,
-    /// The place among the ten: mass, first moment, inertia.
-    pub place: usize,
-}
+use super::inertial::InertialParameter;
 
 /// A combination of inertial parameters: the sum of each times its factor.
 ///

@@ -15,6 +15,7 @@ mod base_parameter;
 mod body;
 mod drawn;
 mod frames;
+mod inertial;
 mod joint;
 mod mechanics;
 mod offset;
@@ -45,18 +46,20 @@ mod canonical;
 mod joint_kind;
 mod named;
 mod prescribed;
+mod regressor_places;
 mod seen;
 mod user_parts;
 
 pub use crate::description::Order;
 pub use crate::principal::principal;
 pub use angles::Angle;
-pub use base_parameter::{BaseParameter, BaseParameters, InertialParameter, N_INERTIAL};
+pub use base_parameter::{BaseParameter, BaseParameters};
 pub use body::{Body, Inertia, Pose, RigidPart};
 pub use build::{Checked, build, build_with};
 pub use canonical::{canonical, canonical_frame};
 pub use changes::Changes;
 pub use frames::Frame;
+pub use inertial::{InertialParameter, N_INERTIAL};
 pub use joint::{
     Attitude, ChartCoordinates, Coordinate, CoordinateKind, Joint, Motion, Orientation,
 };
@@ -66,6 +69,7 @@ pub use mobility::idle_motions;
 pub use named::NamedFrame;
 pub use offset::{Offset, Step};
 pub use prescribed::{PrescribedFault, prescribe};
+pub use regressor_places::{regressor_place, regressor_places};
 pub use rotations::{Alignment, NearlyExact, nearly_exact, orthonormal, snapped, snapped_sin_cos};
 pub use system::Tree;
 pub use user_parts::user_parts;

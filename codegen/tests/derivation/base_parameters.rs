@@ -245,7 +245,7 @@ fn base_parameters_predict_the_same_forces() {
 fn combined(tree: &Tree, parameters: &[f64]) -> Vec<f64> {
     let base = base_parameters::of(tree).iter();
     let of = |(own, factor): &(kane_codegen::tree::InertialParameter, f64)| {
-        factor * parameters[own.body.index() * N_INERTIAL + own.place]
+        factor * parameters[own.column()]
     };
     base.map(|base| base.terms.iter().map(of).sum()).collect()
 }

@@ -6,7 +6,7 @@ use crate::{
     functions::formulation::Way,
     given::{self, mechanics},
     kane, recursive,
-    tree::{N_INERTIAL, Tree, user_parts},
+    tree::{N_INERTIAL, Tree, regressor_place, regressor_places, user_parts},
 };
 
 pub(in crate::functions) fn inertial_parameters(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
@@ -25,7 +25,7 @@ pub(in crate::functions) fn base_parameters(graph: &mut ExprGraph, tree: &Tree) 
         let terms = parameter.terms.iter();
         terms.fold(graph.zero(), |sum, (own, factor)| {
             let factor = graph.number(*factor);
-            let term = graph.mul(factor, inertial[own.body.index() * N_INERTIAL + own.place]);
+            let term = graph.mul(factor, inertial[own.column()]);
             graph.add(sum, term)
         })
     });
@@ -49,8 +49,8 @@ pub(in crate::functions) fn regressor_packed(
     way: Way<'_>,
 ) -> Vec<Expr> {
     let y = regressor(graph, tree, way);
-    let columns = kane::regressor::PARAMETERS.len() * tree.bodies.len();
-    let places = kane::regressor::places(tree).into_iter();
+    let columns = N_INERTIAL * tree.bodies.len();
+    let places = regressor_places(tree).into_iter();
     places
         .map(|[row, column]| y[row * columns + column])
         .collect()
@@ -67,7 +67,7 @@ pub(in crate::functions) fn base_regressor(
     let entries = speeds.flat_map(|speed| {
         let parameters = base_parameters::of(tree).iter();
         let columns = parameters.map(|parameter| parameter.terms[0].0);
-        columns.map(move |own| y[kane::regressor::place(tree, speed, own.body, own.place)])
+        columns.map(move |own| y[regressor_place(tree, speed, own.body, own.place)])
     });
     entries.collect()
 }

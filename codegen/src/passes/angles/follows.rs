@@ -4,11 +4,8 @@ use std::collections::BTreeMap;
 
 use super::sum::{Sum, Terms};
 use crate::{
-    expr::{Expr, ExprGraph, NodeId},
-    passes::{
-        rebuild::Rebuilt,
-        theorems::{of_angle, of_sum, without_crumb},
-    },
+    expr::{Expr, ExprGraph, NodeId, Rebuilt},
+    passes::theorems::{of_angle, of_sum, without_crumb},
 };
 
 /// The most terms of a sum: each but the first takes a theorem of six operations, and a sine with its cosine costs as much as 22.

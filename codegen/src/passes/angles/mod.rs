@@ -9,8 +9,8 @@ mod sum;
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::{follows::Follows, span::Span, sum::Sum};
-use super::{rebuild::Rebuilt, theorems::of_angle};
-use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
+use super::theorems::of_angle;
+use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId, Rebuilt};
 
 /// The graph with as few sines as that, and its roots.
 pub fn run(old: ExprGraph, roots: Vec<Expr>) -> (ExprGraph, Vec<Expr>) {

@@ -9,10 +9,7 @@ use super::{
     calls::Calls,
     groups::{Group, Groups, Operand},
 };
-use crate::{
-    expr::{Call, CallId, Expr, ExprGraph, Helper, Input, Node, NodeId},
-    passes::rebuild::Rebuilt,
-};
+use crate::expr::{Call, CallId, Expr, ExprGraph, Helper, Input, Node, NodeId, Rebuilt};
 
 /// The graph with its calls, and its roots.
 pub(super) fn rewritten(

@@ -30,9 +30,8 @@ use self::{
     search::Others,
     work::Work,
 };
-use super::rebuild::Rebuilt;
 use crate::{
-    expr::{Expr, ExprGraph},
+    expr::{Expr, ExprGraph, Rebuilt},
     id::BodyId,
     tree::Tree,
 };

@@ -11,7 +11,7 @@ use crate::{
             passage::{Drive, Passenger},
             rotation::Turn,
         },
-        plan::Technique,
+        technique::Technique,
     },
     solve::{Carriers, RootMotion},
     tree::{Mechanics, Motion, Tree},

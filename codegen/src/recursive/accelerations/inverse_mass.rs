@@ -8,10 +8,8 @@ use crate::{
     given::Accelerations,
     id::SpeedId,
     recursive::{
-        forces::product,
-        links::linkage::Linkage,
-        matrices::composite,
-        plan::{Plan, Technique},
+        forces::product, links::linkage::Linkage, matrices::composite, plan::Plan,
+        technique::Technique,
     },
     solve::{self, Carriers, Factors, FreeSpeeds, Inversion, Partitioned, SpeedMatrix},
     tree::Tree,

@@ -43,7 +43,8 @@ use super::{
     forces::loaded,
     links::{linkage::Linkage, wrench::Wrench},
     matrices::shortcut::Shortcuts,
-    plan::{Plan, Technique},
+    plan::Plan,
+    technique::Technique,
 };
 use crate::{
     expr::{Expr, ExprGraph, Input, Purpose},

@@ -9,7 +9,8 @@ use crate::{
     id::BodyMap,
     recursive::{
         links::{linkage::Linkage, totalled::Addend, wrench::Wrench},
-        plan::{Plan, Technique},
+        plan::Plan,
+        technique::Technique,
     },
     tree::Tree,
 };

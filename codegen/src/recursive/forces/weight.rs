@@ -11,7 +11,8 @@ use crate::{
             rotation::Turn,
             totalled::Addend,
         },
-        plan::{Plan, Technique},
+        plan::Plan,
+        technique::Technique,
     },
     tree::{Motion, Tree},
 };

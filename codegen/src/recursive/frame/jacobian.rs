@@ -5,10 +5,7 @@ use crate::{
     expr::{ExprGraph, Purpose, Vector},
     given::FrameMotion,
     id::SpeedId,
-    recursive::{
-        links::link,
-        plan::{Plan, Technique},
-    },
+    recursive::{links::link, plan::Plan, technique::Technique},
     tree::{Motion, NamedFrame, Tree},
 };
 

@@ -11,7 +11,8 @@ use crate::{
             passage::{Drive, Passenger},
             rotation::Turn,
         },
-        plan::{Plan, Technique},
+        plan::Plan,
+        technique::Technique,
     },
     tree::{Motion, NamedFrame, Tree},
 };

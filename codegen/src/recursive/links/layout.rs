@@ -12,7 +12,7 @@ use crate::{
     geometry::{self, IDENTITY, Rotation},
     given,
     id::{BodyId, BodyMap},
-    recursive::plan::{Plan, Technique},
+    recursive::{plan::Plan, technique::Technique},
     tree::{Tree, Value},
 };
 

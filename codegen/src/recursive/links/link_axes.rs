@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 
 use crate::{
     id::{BodyMap, SpeedId},
-    recursive::plan::{Plan, Technique},
+    recursive::{plan::Plan, technique::Technique},
     tree::{Coordinate, Joint, Mechanics, Motion, Tree},
 };
 

@@ -15,7 +15,7 @@ use crate::{
     expr::{Axis, Expr, ExprGraph, Matrix, Purpose, Vector, negated},
     given::{self, Accelerations},
     id::{BodyId, BodyMap},
-    recursive::plan::Technique,
+    recursive::technique::Technique,
     tree::{Joint, Motion},
 };
 

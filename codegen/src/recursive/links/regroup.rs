@@ -13,7 +13,10 @@ use super::{
 use crate::{
     expr::{Axis, ExprGraph},
     id::{BodyId, BodyMap},
-    recursive::plan::{Plan, Regroup, Technique},
+    recursive::{
+        plan::{Plan, Regroup},
+        technique::Technique,
+    },
     tree::Tree,
 };
 

@@ -10,7 +10,7 @@ use crate::{
     id::{BodyId, BodyMap},
     recursive::{
         links::{linkage::Linkage, rotation::Turn},
-        plan::Technique,
+        technique::Technique,
     },
 };
 

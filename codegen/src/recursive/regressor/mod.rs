@@ -22,21 +22,21 @@ use super::{
         axes_below::{About, AxesBelow},
         shortcut::{Shortcut, Shortcuts},
     },
-    plan::{Plan, Technique},
+    plan::Plan,
+    technique::Technique,
 };
 use crate::{
     expr::{Axis, Expr, ExprGraph, Purpose, Vector},
     given::Accelerations,
     id::{BodyId, BodyMap, SpeedId},
-    kane::regressor::{PARAMETERS, place},
-    tree::{Motion, Tree},
+    tree::{InertialParameter, Motion, N_INERTIAL, Tree, regressor_place},
 };
 
 /// For each speed, body and parameter what `tau` has of it.
 pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let mut own = ExprGraph::default();
     let entries = entries(&mut own, tree, plan);
-    order::by_columns(graph, &own, &entries, tree.bodies.len() * PARAMETERS.len())
+    order::by_columns(graph, &own, &entries, tree.bodies.len() * N_INERTIAL)
 }
 
 /// The same, from body to body inward.
@@ -53,13 +53,13 @@ fn entries(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
         let link = &linkage.links[body];
         let is_weighed = is_weighed(&ahead, &shared, body);
         let is_carried = |parameter: &usize| {
-            let is_first_moment = (1..4).contains(parameter);
+            let is_first_moment = InertialParameter::MOMENTS.contains(parameter);
             !(shared[body].gives(*parameter) || is_weighed && is_first_moment)
         };
         own::columns(graph, tree, (body, link), &motions[body], is_carried)
     });
     let mut shortcuts = Shortcuts::new(graph, &linkage);
-    let mut y = vec![graph.zero(); tree.n_speeds * tree.bodies.len() * PARAMETERS.len()];
+    let mut y = vec![graph.zero(); tree.n_speeds * tree.bodies.len() * N_INERTIAL];
     for body in tree.body_ids().rev() {
         let hinge = shared[body].hinge_axis();
         let mut carried = Carried {
@@ -160,7 +160,7 @@ fn add(
     (speed, share): (SpeedId, Expr),
     y: &mut [Expr],
 ) {
-    let entry = &mut y[place(tree, speed.index(), column.body, column.parameter)];
+    let entry = &mut y[regressor_place(tree, speed.index(), column.body, column.parameter)];
     *entry = graph.add(*entry, share);
 }
 
@@ -171,7 +171,7 @@ impl Passenger for Carried<'_, '_> {
         for own in &mut self.columns {
             graph.enter(own.body);
             own.needed.reach(graph, offset, next);
-            let name = PARAMETERS[own.parameter];
+            let name = InertialParameter::NAMES[own.parameter];
             graph.name_vector(own.needed.wrench.force, &format!("{name}_f_{at}"));
             graph.name_vector(own.needed.wrench.moment, &format!("{name}_n_{at}"));
         }

@@ -8,14 +8,13 @@ use crate::{
     expr::{Axis, Expr, ExprGraph, Matrix, Vector, negated},
     given,
     id::{BodyId, BodyMap},
-    kane::regressor::{COMPONENTS, PARAMETERS, place},
     recursive::{
         links::{
             link::Link, link_motion::LinkMotion, linkage::Linkage, rotation::Turn, wrench::Wrench,
         },
         matrices::{axes_below::About, lever::Levered, shortcut::Next},
     },
-    tree::Tree,
+    tree::{InertialParameter, N_INERTIAL, Tree, regressor_place},
 };
 
 /// The columns of a body, of the parameters for which there are any.
@@ -43,7 +42,7 @@ pub(super) fn columns(
         leaves: false,
     };
     let mut columns = Vec::new();
-    for parameter in (0..PARAMETERS.len()).filter(is_carried) {
+    for parameter in (0..N_INERTIAL).filter(is_carried) {
         let wrench = felt.of_parameter(graph, parameter);
         let wrench = wrench.map(|v| {
             let internal = given::constant_back(graph, &pose.rotation, v);
@@ -78,7 +77,7 @@ impl LinkMotion {
             }
             _ => Wrench {
                 force: zero,
-                moment: self.of_inertia(graph, COMPONENTS[parameter - 4]),
+                moment: self.of_inertia(graph, InertialParameter::COMPONENTS[parameter - 4]),
             },
         }
     }
@@ -126,13 +125,13 @@ pub(super) fn weigh(
             let felt = graph.dot(axes[other], about.crossed);
             let factor = graph.number(about.motion.factor);
             let felt = graph.mul(factor, felt);
-            let entry = &mut y[place(tree, about.motion.speed.index(), body, 1 + other)];
+            let entry = &mut y[regressor_place(tree, about.motion.speed.index(), body, 1 + other)];
             *entry = graph.add(*entry, felt);
         }
         for speed in 0..tree.n_speeds {
-            let of_inertia = y[place(tree, speed, body, component(own, other))];
+            let of_inertia = y[regressor_place(tree, speed, body, component(own, other))];
             let farther = graph.mul(along, of_inertia);
-            let entry = &mut y[place(tree, speed, body, 1 + other)];
+            let entry = &mut y[regressor_place(tree, speed, body, 1 + other)];
             *entry = graph.sub(*entry, farther);
         }
     }
@@ -221,7 +220,7 @@ impl OnHinge {
         rotation: &dyn Turn,
         parameter: usize,
     ) -> Option<Vector> {
-        let &[row, column] = COMPONENTS.get(parameter.checked_sub(4)?)?;
+        let &[row, column] = InertialParameter::COMPONENTS.get(parameter.checked_sub(4)?)?;
         let other = match (row == self.own, column == self.own) {
             (true, true) => {
                 let axis = graph.unit_vector(self.axis.index());

@@ -11,9 +11,8 @@ use crate::{
     geometry::Rotation,
     given,
     id::{BodyId, BodyMap},
-    kane::regressor::{COMPONENTS, PARAMETERS, place},
     recursive::links::inertia,
-    tree::Tree,
+    tree::{InertialParameter, N_INERTIAL, Tree, regressor_place},
 };
 
 /// The columns of a body that its lower body's give.
@@ -114,8 +113,8 @@ fn on_axis(
 /// All of the inertia.
 fn turning_as_lower(graph: &mut ExprGraph, tree: &Tree, body: BodyId, lower: BodyId) -> Shared {
     let axes = axes(graph, tree, body, lower);
-    let tensors =
-        COMPONENTS.map(|[row, column]| product(graph, axes[row], axes[column], row == column));
+    let tensors = InertialParameter::COMPONENTS
+        .map(|[row, column]| product(graph, axes[row], axes[column], row == column));
     Shared::Inertia(tensors.to_vec())
 }
 
@@ -154,7 +153,9 @@ fn apply_back(rotation: &Rotation, v: [f64; 3]) -> [f64; 3] {
 /// The place of a component of the inertia among the parameters.
 pub(super) fn component(row: usize, column: usize) -> usize {
     let ordered = [row.min(column), row.max(column)];
-    let found = COMPONENTS.iter().position(|place| *place == ordered);
+    let found = InertialParameter::COMPONENTS
+        .iter()
+        .position(|place| *place == ordered);
     4 + found.expect("shared: the six components are listed")
 }
 
@@ -190,7 +191,7 @@ impl Lower<'_> {
 
     /// What a body of this inertia needs.
     fn of_inertia(&self, graph: &mut ExprGraph, tensor: &Symmetric) -> Expr {
-        COMPONENTS
+        InertialParameter::COMPONENTS
             .into_iter()
             .fold(graph.zero(), |sum, [row, column]| {
                 let entry = self.inertia(row, column);
@@ -266,10 +267,10 @@ impl Shared {
             return;
         };
         for speed in 0..tree.n_speeds {
-            let first = place(tree, speed, lower, 0);
-            let entries = y[first..first + PARAMETERS.len()].to_vec();
+            let first = regressor_place(tree, speed, lower, 0);
+            let entries = y[first..first + N_INERTIAL].to_vec();
             let lower = Lower { entries: &entries };
-            let own = place(tree, speed, body, 0);
+            let own = regressor_place(tree, speed, body, 0);
             match self {
                 Self::Nothing => {}
                 Self::OnAxis(shared) => {

@@ -13,7 +13,8 @@ use crate::{
             passage::{Drive, Passenger},
             rotation::Turn,
         },
-        plan::{Plan, Technique},
+        plan::Plan,
+        technique::Technique,
     },
     tree::{Motion, Tree},
 };

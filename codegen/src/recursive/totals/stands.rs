@@ -11,7 +11,8 @@ use crate::{
             root,
             rotation::Turn,
         },
-        plan::{Plan, Technique},
+        plan::Plan,
+        technique::Technique,
     },
     tree::Motion,
 };

@@ -1,6 +1,6 @@
 //! Identities of regressors: forces are linear in what bodies weigh and in what acts in joints.
 
-use kane_codegen::kane::regressor::places;
+use kane_codegen::tree::regressor_places;
 
 use super::{forces::lifting_forces, model::Model, quantities::mass_matrix, state::State};
 use crate::{
@@ -68,7 +68,7 @@ pub fn the_packed_regressor_has_all_that_is_not_zero(model: &dyn Model, state: &
     let tree = model.tree();
     let mut y = model.evaluate("regressor", state);
     let packed = model.evaluate("regressor_packed", state);
-    let places: Vec<usize> = places(tree)
+    let places: Vec<usize> = regressor_places(tree)
         .into_iter()
         .map(|[row, column]| row * 10 * tree.bodies.len() + column)
         .collect();

@@ -1,27 +1,23 @@
 //! What is generated: a function of the catalogue, or several in one that share their work.
 //!
-//! In: parts, on the tree of a model. Out: a [`Request`]: its name, what it is given and writes. How it is derived stands in `joined`.
+//! In: parts, on the tree of a model. Out: a [`Request`]: its name, what it is given and writes. How large it is stands in `size`, how it
+//! is derived in `functions::joined`.
+
+mod size;
 
 use std::collections::BTreeSet;
 
 use super::{
     argument::Argument,
-    derived::Derived,
     formulation::Formulation,
     function::{Function, MassMatrixUse, Output},
     packed::Packed,
     parse::syntax::{AT_SIN_COS, named},
-    part::{Part, Rows},
+    part::Part,
     shape::Dimension,
-    terms,
     variable::Variable,
 };
-use crate::{
-    id::BodyMap,
-    recursive::{Plan, Technique},
-    solve,
-    tree::Tree,
-};
+use crate::{id::BodyMap, recursive::Technique, tree::Tree};
 
 /// A function to generate.
 #[derive(Clone, Debug)]
@@ -244,18 +240,6 @@ impl Request {
         self.functions().any(|function| function.prescribes)
     }
 
-    /// About how many operations a factorisation for it and a solution need.
-    pub fn factorising(&self, tree: &Tree) -> usize {
-        let takes_more = |function: &&Function| function.mass_matrix != MassMatrixUse::None;
-        let mut solving = self.functions().filter(takes_more);
-        if solving.all(|function| function.prescribes) {
-            // The matrix is made of all speeds, also of those that are prescribed.
-            solve::operations(tree, &tree.prescribed) + terms::pairs(tree)
-        } else {
-            solve::operations(tree, &BTreeSet::new())
-        }
-    }
-
     /// The formulations in which the function can be derived.
     pub fn formulations(&self) -> Vec<Formulation> {
         let functions = self.functions();
@@ -266,24 +250,6 @@ impl Request {
         all.sort_unstable();
         all.dedup();
         all
-    }
-
-    /// How many terms the notes' sums have at least: where another formulation needs fewer operations than that, the notes'
-    /// need not be derived to know which is cheaper. Parts may have all theirs in common.
-    pub fn literal_terms(&self, tree: &Tree) -> usize {
-        let terms = self.parts.iter().map(|part| part.literal_terms(tree));
-        terms.max().unwrap_or(0)
-    }
-
-    /// How many numbers it writes at most: what takes a while to find is bounded.
-    pub fn n_numbers(&self, tree: &Tree) -> usize {
-        self.parts.iter().map(|part| part.n_numbers(tree)).sum()
-    }
-
-    /// As [`Self::n_numbers`], of the parts that solve.
-    pub fn n_solved(&self, tree: &Tree) -> usize {
-        let parts = self.parts.iter().filter(|part| part.function.solves());
-        parts.map(|part| part.n_numbers(tree)).sum()
     }
 
     /// True where some part is a derivative.
@@ -332,36 +298,6 @@ impl Request {
         self.parts.iter().any(Part::is_second_derivative)
     }
 
-    /// How many variables second derivatives have, all together.
-    pub fn n_second(&self, tree: &Tree) -> usize {
-        let parts = self.parts.iter().filter(|part| part.is_second_derivative());
-        parts.map(|part| part.n_variables(tree)).sum()
-    }
-
-    /// How many operations second derivatives build, about, before what is zero or alike falls away. `is_direct`: accelerations are
-    /// differentiated without sweeps through the solver.
-    pub fn n_second_operations(&self, tree: &Tree, is_direct: bool) -> usize {
-        let parts = self.parts.iter().filter(|part| part.is_second_derivative());
-        parts
-            .map(|part| part.n_second_operations(tree, is_direct))
-            .sum()
-    }
-
-    /// As [`Self::n_numbers`], of the parts that are derivatives.
-    pub fn n_differentiated(&self, tree: &Tree) -> usize {
-        let parts = self.parts.iter().filter(|part| part.derivative.is_some());
-        parts.map(|part| part.n_numbers(tree)).sum()
-    }
-
-    /// How many rows each way to sweep for its derivatives carries along.
-    pub fn swept_rows(&self, tree: &Tree) -> Rows {
-        let parts = self.parts.iter().map(|part| part.swept_rows(tree));
-        parts.fold(Rows::default(), |sum, rows| Rows {
-            forward: sum.forward + rows.forward,
-            reverse: sum.reverse + rows.reverse,
-        })
-    }
-
     /// True where some part is differentiated by all values set at run time.
     pub fn is_by_parameters(&self) -> bool {
         let derivatives = self
@@ -400,13 +336,5 @@ impl From<&'static Function> for Request {
             derivative: None,
         };
         Self::new(None, vec![part], false)
-    }
-}
-
-impl Function {
-    /// Derives a function of the whole system; one that has a single formulation takes no notice of `formulation`, and only
-    /// the recursive one of `plan`.
-    pub fn derive(&'static self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
-        Request::from(self).derive(tree, formulation, plan)
     }
 }
