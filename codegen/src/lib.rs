@@ -54,7 +54,8 @@ pub mod number;
 mod principal;
 mod random;
 pub mod threads;
-// What languages reserve, and which names are taken.
+// Steps of the runtime that C has; what languages reserve, and which names are taken.
+mod steps;
 mod taken;
 mod words;
 // What can be wrong, and how it is shown.

@@ -42,6 +42,8 @@ pub const SPEEDS: usize = 5_000;
 pub const PARTS: usize = 5_000;
 /// Numbers that the functions of a module write, all together.
 pub const NUMBERS: usize = 250_000;
+/// Numbers of the regressor in which base parameters are found, each evaluated at many states.
+pub const BASE_REGRESSOR: usize = 250_000;
 /// Numbers of a regressor that is derived whole and written packed.
 pub const REGRESSOR: usize = 4_000_000;
 /// Numbers of an inverse that is derived whole and written packed.

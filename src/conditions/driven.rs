@@ -10,12 +10,12 @@ use crate::{Array, Real, System};
 
 /// A system whose prescribed speeds have given accelerations: its forward dynamics find the others, and copy these.
 ///
-/// Entries of `tau` of prescribed speeds are not read; [`HybridDynamics`] finds them.
+/// Entries of `tau` of prescribed speeds have no effect; [`HybridDynamics`] finds them.
 #[derive(Clone, Copy, Debug)]
 pub struct Driven<'a, R: Real, S: System<R>> {
     /// The system.
     pub system: &'a S,
-    /// The accelerations of the prescribed speeds, rad/s² and m/s²; other entries are not read.
+    /// The accelerations of the prescribed speeds, rad/s² and m/s²; other entries have no effect.
     pub u_dot: S::U,
 }
 

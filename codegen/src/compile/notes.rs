@@ -24,11 +24,11 @@ const SHORT: usize = 1_000;
 /// Notes of more terms are derived only where the recursion needs more operations than that: of fewer, some may be zero.
 const MANY_TERMS: usize = 1_000;
 
-/// Up to how many operations formulations are compared as they are written: [`passes::reuse`](crate::passes::reuse) finds more in the
-/// notes than in the recursion, but hardly ever makes up for much.
+/// Up to how many operations of the recursion both are compared as they are written: [`passes::reuse`](crate::passes::reuse) takes
+/// longer, and of long functions a small part.
 const MOST_WRITTEN: usize = 1_000;
 
-/// How many times the recursion's cost the notes may need before that.
+/// How many times the recursion's cost the notes may have before `reuse`, which saves more in the notes but hardly ever half of them.
 const MOST_REUSED: usize = 2;
 
 /// The function by the notes, if it costs no more than by the recursion.
@@ -69,17 +69,17 @@ fn most(request: &Request, recursive: Operations) -> usize {
 /// True where the notes cost no more: as they are written, if they are short.
 fn are_cheaper(plans: &Plans<'_>, request: &Request, notes: &Derived, recursive: &Derived) -> bool {
     let [of_notes, of_recursion] = [notes, recursive].map(operations);
-    if cost(request, of_notes) > most(request, of_recursion) {
-        return false;
-    }
-    if of_recursion.total() > MOST_WRITTEN {
-        return true;
+    let cost_less_as_derived = cost(request, of_notes) <= cost(request, of_recursion);
+    if of_recursion.total() > MOST_WRITTEN || cost(request, of_notes) > most(request, of_recursion)
+    {
+        return cost_less_as_derived;
     }
     let [of_notes, of_recursion] = [notes, recursive].map(|derived| {
         let operations = emitted(plans.tree, request, derived, plans.without);
         cost(request, operations)
     });
-    of_notes <= of_recursion
+    // What happens to be the same as something else, such as two numbers, makes no formulation a better one.
+    of_notes < of_recursion || of_notes == of_recursion && cost_less_as_derived
 }
 
 /// True where the function is derived by the notes beside the recursion, which needs these operations: on a large tree the literal sums

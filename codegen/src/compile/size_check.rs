@@ -112,7 +112,7 @@ fn check_whole(tree: &Tree, request: &Request) -> Result<(), Error> {
             Dimension::BaseParameters,
             "regressor",
             n_regressor,
-            limits::NUMBERS,
+            limits::BASE_REGRESSOR,
         ),
         (
             Dimension::Packed(Packed::Regressor),

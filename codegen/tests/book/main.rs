@@ -9,6 +9,7 @@
 mod blocks;
 mod dictionary;
 mod links;
+mod modules;
 mod page;
 mod pictures;
 mod schemas;

@@ -83,9 +83,14 @@ fn other_sources_are_left_out_where_one_is_a_module() {
     assert_eq!(ran.code, 0, "{}", ran.err);
     assert_eq!(
         ran.err,
-        "note: 1 of the files hold no generated function; they are not checked\n"
+        "note: not checked, for `kane` did not write it: `generated/mod.rs`\n"
     );
     assert_eq!(ran.out, verify(&project, &[MODULE]).out);
+    // One that was generated must have functions.
+    let text = std::fs::read_to_string(project.path(MODULE)).unwrap();
+    project.write("generated/mod.rs", &text.replace("#[inline(never)]", ""));
+    let ran = verify(&project, &["generated/mod.rs", MODULE]);
+    assert_refused(&ran, &["`generated/mod.rs` has no `pub fn`"]);
 }
 
 #[test]

@@ -34,6 +34,32 @@ fn names_of_other_tools_lead_to_ours() {
 }
 
 #[test]
+fn steps_are_met_with_what_they_need() {
+    for (name, said) in [
+        (
+            "RK4Step",
+            "that is `kane::discrete::rk4::step` in Rust and `rk4_step` in C, with `forward_dynamics`",
+        ),
+        (
+            "driven_euler_adjoint",
+            "that is `kane::discrete::euler::adjoint` of `kane::conditions::Driven` in Rust and `driven_euler_adjoint` in C, \
+             with `hybrid_dynamics`, `vjp(hybrid_dynamics; q, u, tau)`",
+        ),
+        (
+            "rk4_by_parameters",
+            "that is `kane::discrete::rk4::by_parameters` in Rust and `rk4_by_parameters` in C, \
+             with `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`, `d(forward_dynamics)/d(parameters)`",
+        ),
+        (
+            "scale_quaternions",
+            "that is `kane::manifold::scale_quaternions` in Rust and `scale_quaternions` in C, for every system with quaternions",
+        ),
+    ] {
+        assert_eq!(advice(name), said);
+    }
+}
+
+#[test]
 fn unknown_names_are_met_with_advice() {
     assert_eq!(advice("crba"), "here it is called `mass_matrix`");
     assert_eq!(advice("biass"), "did you mean `bias`?");

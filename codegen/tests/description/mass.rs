@@ -54,7 +54,7 @@ fn limits_of_angles_of_a_quaternion_are_a_warning() {
         "{ theta2 = { upper = 0.5 } }",
     ] {
         let told = with(limits).warnings.brief().lines[0].1.clone();
-        let expected = "`lower` and `upper` of body `a` limit angles, but its orientation is a quaternion: they are left out";
+        let expected = "`lower` and `upper` of body `a` do not limit its angles: its orientation is a quaternion";
         assert!(told.contains(expected), "{told}");
     }
     for limits in ["{ s1 = { upper = 0.5 } }", "{ velocity = 3.0 }"] {

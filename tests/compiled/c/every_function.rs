@@ -5,7 +5,7 @@ use std::{fmt::Write as _, fs, process::Command};
 use kane_test_support::{systems::trees, tool::tools};
 use serde_json::Value;
 
-use super::{C, WARNINGS, bits, folder, headers, run};
+use super::{C, WARNINGS, bits, folder, headers, run, steps};
 
 const MANIFEST: &str = r#"
 [workspace]
@@ -92,57 +92,6 @@ fn main() {
     all::<f32>();
 }
 "#;
-
-/// What a step's name ends with, and how Rust calls it: of `SYSTEM`, by `SCHEME`. A `NAME` is that in C.
-const WAYS: [(&str, &str); 7] = [
-    (
-        "_step",
-        "SCHEME::step(&SYSTEM, &tau, dt, &mut state.0, &mut state.1); show(NAME, &state);",
-    ),
-    (
-        "_linearized",
-        "let mut derivatives = StepDerivatives::filled([[zero; NU]; NU]);
-        SCHEME::linearized(&SYSTEM, &tau, dt, (&mut state.0, &mut state.1), &mut derivatives);
-        show(NAME, &state);
-        matrices(NAME, &derivatives);",
-    ),
-    (
-        "_forward",
-        "SCHEME::forward(&SYSTEM, &tau, dt, (&mut state.0, &mut state.1), (&mut change, &tau_direction));
-        show(NAME, &state);
-        pair(NAME, [\"q_direction_after\", \"u_direction_after\"], &change);",
-    ),
-    (
-        "_adjoint",
-        "let mut gradient: [R; NU] = entries(0);
-        SCHEME::adjoint(&SYSTEM, &tau, dt, (&state.0, &state.1), (&mut multiplier, &mut gradient));
-        pair(NAME, [\"q_gradient\", \"u_gradient\"], &multiplier);
-        print!(\"{}.tau_gradient\", NAME); gradient.print(); println!();",
-    ),
-    (
-        "_by_parameters",
-        "let mut by = kane::discrete::StepByParameters::filled([[zero; claw::PARAMETERS_LEN]; NU]);
-        SCHEME::by_parameters(&SYSTEM, &tau, dt, (&state.0, &state.1), &mut by);
-        print!(\"{}.q_by_parameters\", NAME); by.q.print(); println!();
-        print!(\"{}.u_by_parameters\", NAME); by.u.print(); println!();",
-    ),
-    (
-        "_forward_with_parameters",
-        "let changes = (&mut change, &tau_direction, &parameters_direction);
-        SCHEME::forward_with_parameters(&SYSTEM, &tau, dt, (&mut state.0, &mut state.1), changes);
-        show(NAME, &state);
-        pair(NAME, [\"q_direction_after\", \"u_direction_after\"], &change);",
-    ),
-    (
-        "_adjoint_with_parameters",
-        "let (mut gradient, mut of_parameters): ([R; NU], [R; claw::PARAMETERS_LEN]) = (entries(0), entries(0));
-        let gradients = (&mut multiplier, &mut gradient, &mut of_parameters);
-        SCHEME::adjoint_with_parameters(&SYSTEM, &tau, dt, (&state.0, &state.1), gradients);
-        pair(NAME, [\"q_gradient\", \"u_gradient\"], &multiplier);
-        print!(\"{}.tau_gradient\", NAME); gradient.print(); println!();
-        print!(\"{}.parameters_gradient\", NAME); of_parameters.print(); println!();",
-    ),
-];
 
 /// Where there are quaternions.
 const RUST_SCALED: &str = r#"
@@ -282,7 +231,8 @@ fn compare(name: &str, model: &str, changed: Option<&str>) -> usize {
     let has_parameters = model.contains("runtime");
     let program = rust_program(&functions, changed);
     let program = program.replace("SCALED", if scales { RUST_SCALED } else { "" });
-    let program = program.replace("STEPS", &rust_steps(&runtime));
+    let names: Vec<&str> = runtime.iter().map(|one| one.name).collect();
+    let program = program.replace("STEPS", &steps::called_from_rust(&names));
     let program = program.replace("ALONG", if has_parameters { RUST_ALONG } else { "" });
     fs::write(source.join("main.rs"), program).unwrap();
     let called = || functions.iter().chain(&runtime);
@@ -420,28 +370,6 @@ fn c_program<'a>(
     let [double, single] = [("f64", "double"), ("f32", "float")]
         .map(|(scalar, real)| all.replace("SCALAR", scalar).replace("REAL", real));
     [C_BEGINNING, &double, &single, C_MAIN].concat()
-}
-
-/// The steps among what C has of the runtime crate.
-fn rust_steps(runtime: &[Function<'_>]) -> String {
-    let mut steps = String::new();
-    for Function { name, .. } in runtime {
-        let Some((way, call)) = WAYS.iter().rev().find(|(way, _)| name.ends_with(way)) else {
-            continue;
-        };
-        let before = name.strip_suffix(way).unwrap();
-        let (system, scheme) = match before.split_once('_') {
-            Some((system, scheme)) => (system, scheme),
-            None => ("p", before),
-        };
-        let call = call.replace("SYSTEM", system).replace("SCHEME", scheme);
-        let call = call.replace("NAME", &format!("{name:?}"));
-        let begin = "let mut state = (q, u); let _ = &mut state;
-        let mut change = Change { q: q_direction, u: u_direction }; let _ = &mut change;
-        let mut multiplier = Change { q: q_multiplier, u: u_multiplier }; let _ = &mut multiplier;";
-        writeln!(steps, "    {{ {begin}\n        {call} }}").unwrap();
-    }
-    steps
 }
 
 /// The same call with what is read at the place of what is written, where a function allows that: the numbers stay.

@@ -9,6 +9,7 @@ use std::{
 
 use clap::{Args, ValueEnum};
 use kane_codegen::{
+    diagnostic::first_few,
     error::Error,
     functions::N_BODIES,
     object::{self, OptLevel, Options, Report, Runtime, Scalar},
@@ -125,27 +126,30 @@ pub(crate) fn run(
     })
 }
 
-/// What was found of each module. Sources without generated functions, such as `src/lib.rs` of `src/*.rs`, are no fault beside modules.
+/// What was found of each module. Sources that are not generated, such as `src/lib.rs` of `src/*.rs`, are no fault beside modules.
 fn reports<'a>(
     runtime: &Runtime,
     modules: &[&'a PathBuf],
     voice: Voice,
 ) -> Result<Vec<(&'a Path, Report)>, Failures> {
     let (mut failures, mut reports, mut others) = (Failures::default(), Vec::new(), Vec::new());
-    for path in modules {
+    for &path in modules {
         match object::verify(runtime, path) {
-            Err(other @ object::Error::NoFunctions { .. }) => others.push(other),
+            Err(object::Error::NoFunctions { .. }) if !is_generated(path) => others.push(path),
             found => reports.extend(failures.keep(found).map(|report| (path.as_path(), report))),
         }
     }
     if reports.is_empty() {
-        for other in others {
-            failures.add(Failures::from(other));
+        for path in others {
+            let path = path.clone();
+            failures.keep(Err::<Report, _>(object::Error::NoFunctions { path }));
         }
     } else if !others.is_empty() {
+        let names = others.iter().map(|path| format!("`{}`", path.display()));
+        let names: Vec<String> = names.collect();
         voice.say(format_args!(
-            "note: {} of the files hold no generated function; they are not checked",
-            others.len()
+            "note: not checked, for `kane` did not write it: {}",
+            first_few(&names)
         ));
     }
     failures.none()?;
@@ -179,10 +183,19 @@ fn check_modules(modules: &[PathBuf]) -> Result<(), Failures> {
 
 /// True for a generated file without bodies: the functions for C, the tests.
 fn is_beside(path: &Path) -> bool {
-    // What is no file may never end.
-    let text = path.is_file().then(|| fs::read_to_string(path).ok());
-    let text = text.flatten().unwrap_or_default();
+    let text = text_of(path);
     is_ours(text.as_bytes()) && !text.contains(&format!("pub const {N_BODIES}: "))
+}
+
+/// True for a file that `kane` wrote.
+fn is_generated(path: &Path) -> bool {
+    is_ours(text_of(path).as_bytes())
+}
+
+/// What a file holds; nothing of what is no file, which may never end.
+fn text_of(path: &Path) -> String {
+    let text = path.is_file().then(|| fs::read_to_string(path).ok());
+    text.flatten().unwrap_or_default()
 }
 
 fn value(path: &Path, report: &Report) -> Value {

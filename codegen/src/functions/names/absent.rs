@@ -129,11 +129,8 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 25] = [
     ),
 ];
 
-/// Where steps are.
-pub(super) const STEPS: &str = "`kane::discrete` in Rust, and `rk4_step` and others in C, with the request `forward_dynamics`; for `A` and `B` with `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`";
-
 /// What the runtime crate does, for every system.
-pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
+pub(super) const RUNTIME: [(&str, &[&str]); 7] = [
     (
         "`kane::inverse_kinematics` in Rust, for every system",
         &["inversekinematics", "ik"],
@@ -147,6 +144,10 @@ pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
         &["difference", "mjdifferentiatepos", "qminus"],
     ),
     (
+        "`kane::manifold::scale_quaternions` in Rust and `scale_quaternions` in C, for every system with quaternions",
+        &["scalequaternions", "normalizequaternions"],
+    ),
+    (
         "`kane::manifold::TangentMap` in Rust, for every system",
         &["dintegrate", "ddifference", "integratetransport"],
     ),
@@ -155,7 +156,7 @@ pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
         &["log3", "log6", "exp3", "exp6", "jlog3", "jlog6", "jexp3"],
     ),
     (
-        STEPS,
+        "`kane::discrete` in Rust, and `rk4_step` and others in C, with the request `forward_dynamics`; for `A` and `B` with `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`",
         &[
             "euler",
             "symplecticeuler",

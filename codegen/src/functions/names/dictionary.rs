@@ -2,17 +2,17 @@
 
 use super::{
     ALL, DEFAULT,
-    absent::{NO_FUNCTIONS, RUNTIME, STEPS},
+    absent::{NO_FUNCTIONS, RUNTIME},
     elsewhere::{OPERATORS, REQUESTS, VARIABLES},
     generated_name, is_set,
 };
 use crate::{
-    diagnostic::nearest,
+    diagnostic::{backquoted, nearest},
     functions::{
         function::{Function, Of},
         variable::Variable,
     },
-    words::is_c_runtime,
+    steps::Step,
 };
 
 /// Words with which other tools' names begin.
@@ -89,8 +89,15 @@ fn found(table: &[(&'static str, &[&str])], words: &[String]) -> Option<&'static
 }
 
 /// Where the runtime crate has it.
-fn of_runtime(name: &str, words: &[String]) -> Option<&'static str> {
-    found(&RUNTIME, words).or_else(|| is_c_runtime(name).then_some(STEPS))
+fn of_runtime(name: &str, words: &[String]) -> Option<String> {
+    let mut steps = Step::all();
+    let step = steps.find(|step| plain(&step.name()) == plain(name));
+    let step = step.map(|step| {
+        let (rust, c, needs) = (step.of_runtime(), step.name(), step.needs());
+        let needs: Vec<&str> = needs.iter().map(String::as_str).collect();
+        format!("{rust} in Rust and `{c}` in C, with {}", backquoted(&needs))
+    });
+    step.or_else(|| found(&RUNTIME, words).map(str::to_owned))
 }
 
 fn plain(name: &str) -> String {

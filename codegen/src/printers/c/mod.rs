@@ -8,7 +8,7 @@ mod header;
 mod names;
 pub(super) mod rules;
 pub(super) mod runtime;
-pub(super) mod steps;
+mod steps;
 mod text;
 
 pub use header::text as header;

@@ -2,11 +2,12 @@
 
 use super::{
     declared::{self, after, written},
-    steps::{self, Step},
+    steps,
 };
 use crate::{
     functions::{Argument, Declared, Element, Length, N_SPEEDS, Signature, Unit},
     listing::Module,
+    steps::Step,
     words::{Q_MINUS, Q_PLUS, SCALE_QUATERNIONS},
 };
 

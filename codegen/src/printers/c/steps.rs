@@ -1,12 +1,13 @@
-//! Steps that C gets of the runtime crate: under each condition, with each kind of derivatives, by each scheme.
+//! How the steps that C gets of the runtime crate are declared.
 
 use super::declared::{after, signature, written};
 use crate::{
     functions::{
-        Access, Argument, Declared, Element, Length, N_PARAMETERS, N_SPEEDS, Signature, Unit,
+        Access, Argument, Declared, Element, Length, N_PARAMETERS, N_SPEEDS, Signature, TRAITS,
+        Unit,
     },
     listing::Module,
-    words::{STEP_CONDITIONS, STEP_SCHEMES, STEP_WAYS},
+    steps::{Condition, Scheme, Step, Way},
 };
 
 /// What may be written where it is read.
@@ -14,233 +15,140 @@ const STATE_IN_PLACE: &str =
     "`q_after` may lead to the same array as `q`, and `u_after` to the same as `u`.";
 const GRADIENT_IN_PLACE: &str = "`q_gradient` may lead to the same array as `q_multiplier`, and `u_gradient` to the same as `u_multiplier`.";
 
+const CHANGE_IN_PLACE: &str =
+    "So may `q_direction_after` lead to `q_direction`, and `u_direction_after` to `u_direction`.";
+
+/// What the prescribed speeds of a driven system make of its arguments.
+const IDLE: &str = "Entries of `tau` of prescribed speeds have no effect, nor have those of `u_dot` of the others; all must hold numbers.";
+
 /// What a change of coordinates is.
 const PER_SPEED: &str = "A change of `q` has one entry per speed, along the axes of `u`.";
 
-/// A step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Step {
-    /// Under which condition.
-    pub(crate) condition: Condition,
-    /// What it computes.
-    pub(crate) way: Way,
-    /// How it reaches the state after it.
-    pub(crate) scheme: Scheme,
-}
-
-/// What acts during a step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Condition {
-    /// `tau` alone.
-    Free,
-    /// `kane::conditions::Loaded`: loads, too.
-    Loaded,
-    /// `kane::conditions::Driven`: what drives the prescribed speeds, too.
-    Driven,
-}
-
-/// What a step computes: the function of a module of `kane::discrete`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Way {
-    Step,
-    Linearized,
-    Forward,
-    Adjoint,
-    ByParameters,
-    ForwardWithParameters,
-    AdjointWithParameters,
-}
-
-/// A module of `kane::discrete`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Scheme {
-    Euler,
-    Rk4,
-}
-
 /// Those that can be called with the functions of a module.
 pub(super) fn of(module: &Module) -> Vec<(Step, Signature)> {
-    let mut all = Vec::new();
-    for condition in [Condition::Free, Condition::Loaded, Condition::Driven] {
-        for way in Way::ALL {
-            let schemes = [Scheme::Euler, Scheme::Rk4].into_iter();
-            let steps = schemes.map(|scheme| Step {
-                condition,
-                way,
-                scheme,
-            });
-            all.extend(steps.filter(|step| step.has_what_it_needs(module)));
-        }
-    }
-    let declared = all.into_iter().map(|step: Step| (step, step.signature()));
-    declared.collect()
+    let can_be_called = |step: &Step| step.needs().iter().all(|request| has(module, request));
+    let steps = Step::all().filter(can_be_called);
+    steps.map(|step| (step, signature_of(step))).collect()
 }
 
-impl Way {
-    const ALL: [Self; 7] = [
-        Self::Step,
-        Self::Linearized,
-        Self::Forward,
-        Self::Adjoint,
-        Self::ByParameters,
-        Self::ForwardWithParameters,
-        Self::AdjointWithParameters,
-    ];
-
-    /// The function of `kane::discrete`.
-    pub(crate) fn name(self) -> &'static str {
-        STEP_WAYS[self as usize]
+/// True where the module's functions include one for this request, and its trait.
+fn has(module: &Module, request: &str) -> bool {
+    let functions = module.functions.iter();
+    let mut traits = TRAITS.into_iter();
+    if let Some((_, name)) = traits.find(|(text, _)| *text == request) {
+        let mut own = functions.filter_map(|function| function.derivative_trait.as_ref());
+        return own.any(|own| own.name == name);
     }
+    functions
+        .filter_map(|function| function.catalogue_part.as_ref())
+        .any(|own| own.function.name == request)
+}
 
-    /// Behind the name of the dynamics, the trait that it needs besides that of the dynamics.
-    fn of_trait(self) -> &'static str {
-        match self {
-            Self::Step => "",
-            Self::Linearized => "AndDerivatives",
-            Self::Forward => "Jvp",
-            Self::Adjoint => "Vjp",
-            Self::ByParameters => "ByParameters",
-            Self::ForwardWithParameters => "ParametersJvp",
-            Self::AdjointWithParameters => "ParametersVjp",
-        }
+/// What stays as it is during a step.
+fn stays(condition: Condition) -> &'static str {
+    match condition {
+        Condition::Free => "`tau` stays constant",
+        Condition::Loaded => "`tau` and `loads` stay constant",
+        Condition::Driven => "`tau` and the accelerations of the prescribed speeds stay constant",
     }
 }
 
-impl Scheme {
-    /// The module of `kane::discrete`.
-    pub(crate) fn module(self) -> &'static str {
-        STEP_SCHEMES[self as usize]
-    }
-
-    fn what(self) -> &'static str {
-        match self {
-            Self::Euler => "a semi-implicit Euler step",
-            Self::Rk4 => "a Runge-Kutta step of fourth order",
-        }
+/// What scheme it is, in words.
+fn what(scheme: Scheme) -> &'static str {
+    match scheme {
+        Scheme::Euler => "a semi-implicit Euler step",
+        Scheme::Rk4 => "a Runge-Kutta step of fourth order",
     }
 }
 
-impl Condition {
-    /// The dynamics of such a system, and how traits of it begin.
-    fn dynamics(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Free => ("forward_dynamics", "ForwardDynamics"),
-            Self::Loaded => ("loaded_forward_dynamics", "LoadedForwardDynamics"),
-            Self::Driven => ("hybrid_dynamics", "HybridDynamics"),
-        }
-    }
+fn signature_of(step: Step) -> Signature {
+    let doc = doc(step);
+    let doc: Vec<&str> = doc.iter().map(String::as_str).collect();
+    let arguments = given(step.condition).into_iter().chain(others(step.way));
+    signature(&step.name(), &doc, arguments)
+}
 
-    fn stays(self) -> &'static str {
-        match self {
-            Self::Free => "`tau` stays constant",
-            Self::Loaded => "`tau` and `loads` stay constant",
-            Self::Driven => "`tau` and the accelerations of the prescribed speeds stay constant",
-        }
-    }
+fn doc(step: Step) -> Vec<String> {
+    let Step {
+        condition,
+        way,
+        scheme,
+    } = step;
+    let step = format!(
+        "{} of the time `dt`, in which {}: {} of the runtime.",
+        what(scheme),
+        stays(condition),
+        step.of_runtime(),
+    );
+    let state = format!(
+        "The state after {step} Quaternions whose length is nearly one have length one afterwards."
+    );
+    let lines = match way {
+        Way::Step => vec![state, STATE_IN_PLACE.to_owned()],
+        Way::Linearized => vec![
+            state,
+            "Also its derivatives: a change of the state, of `q` before that of `u`, is after the step `a` times that before it and `b` times that of `tau`.".to_owned(),
+            PER_SPEED.to_owned(),
+            STATE_IN_PLACE.to_owned(),
+        ],
+        Way::Forward | Way::ForwardWithParameters => vec![
+            state,
+            format!("Also how it changes, to first order, with `q`, `u`{}. {PER_SPEED}", and_tau(way)),
+            format!("{STATE_IN_PLACE} {CHANGE_IN_PLACE}"),
+        ],
+        Way::Adjoint | Way::AdjointWithParameters => vec![
+            format!("From the gradient of a cost by the state after a step that by `q`, `u`{} before it. {PER_SPEED}", and_tau(way)),
+            format!("The step is {step}"),
+            GRADIENT_IN_PLACE.to_owned(),
+        ],
+        Way::ByParameters => vec![
+            format!("The derivatives by all values set at run time, in the order of `PARAMETER_NAMES`, of the state after {step}"),
+            PER_SPEED.to_owned(),
+        ],
+    };
+    let idle = (condition == Condition::Driven).then(|| IDLE.to_owned());
+    lines.into_iter().chain(idle).collect()
+}
 
-    /// What is not read.
-    fn unread(self) -> Option<&'static str> {
-        let driven = "Entries of `tau` of prescribed speeds are not read, nor those of `u_dot` of the others.";
-        (self == Self::Driven).then_some(driven)
+/// What a product is by, behind the state.
+fn and_tau(way: Way) -> &'static str {
+    match way {
+        Way::ForwardWithParameters | Way::AdjointWithParameters => {
+            ", `tau` and all values set at run time"
+        }
+        _ => " and `tau`",
     }
 }
 
-impl Step {
-    fn has_what_it_needs(self, module: &Module) -> bool {
-        let (dynamics, prefix) = self.condition.dynamics();
-        let mut parts = module
-            .functions
-            .iter()
-            .filter_map(|one| one.catalogue_part.as_ref());
-        let mut has_dynamics = || parts.any(|part| part.function.name == dynamics);
-        let has = |own: Way| {
-            let mut traits = module
-                .functions
-                .iter()
-                .filter_map(|one| one.derivative_trait.as_ref());
-            traits.any(|known| known.name.strip_prefix(prefix) == Some(own.of_trait()))
-        };
-        match (self.way, self.scheme) {
-            (Way::Step, _) => has_dynamics(),
-            (Way::Linearized, _) => has(Way::Linearized),
-            (Way::ByParameters, Scheme::Rk4) => has(Way::ByParameters) && has(Way::Linearized),
-            (way, _) => has(way) && has_dynamics(),
-        }
+/// What every step is given.
+fn given(condition: Condition) -> Vec<Declared> {
+    let [q, u, tau] = [Argument::Q, Argument::U, Argument::Tau].map(Argument::declared);
+    let dt = Declared {
+        unit: Unit::Of(&["s"]),
+        ..Declared::read("dt", Element::Scalar, "the time of the step")
+    };
+    match condition {
+        Condition::Free => vec![q, u, tau, dt],
+        Condition::Loaded => vec![q, u, tau, Argument::Loads.declared(), dt],
+        Condition::Driven => vec![q, u, Argument::UDot.declared(), tau, dt],
     }
+}
 
-    fn signature(self) -> Signature {
-        let condition = STEP_CONDITIONS[self.condition as usize];
-        let (scheme, way) = (self.scheme.module(), self.way.name());
-        let doc = self.doc();
-        let doc: Vec<&str> = doc.iter().map(String::as_str).collect();
-        let arguments = self.given().into_iter().chain(self.others());
-        signature(&format!("{condition}{scheme}_{way}"), &doc, arguments)
-    }
-
-    fn doc(self) -> Vec<String> {
-        let (module, way) = (self.scheme.module(), self.way.name());
-        let step = format!(
-            "{} of the time `dt`, in which {}: `kane::discrete::{module}::{way}` of the runtime.",
-            self.scheme.what(),
-            self.condition.stays(),
-        );
-        let state = format!(
-            "The state after {step} Quaternions whose length is nearly one have length one afterwards."
-        );
-        let lines = match self.way {
-            Way::Step => vec![state, STATE_IN_PLACE.to_owned()],
-            Way::Linearized => vec![
-                state,
-                "Also its derivatives: a change of the state, of `q` before that of `u`, is after the step `a` times that before it and `b` times that of `tau`.".to_owned(),
-                PER_SPEED.to_owned(),
-                STATE_IN_PLACE.to_owned(),
-            ],
-            Way::Forward | Way::ForwardWithParameters => vec![
-                state,
-                "Also how it changes, to first order, with what the step is given.".to_owned(),
-                PER_SPEED.to_owned(),
-                format!("{STATE_IN_PLACE} Changes may be written where they are read, too."),
-            ],
-            Way::Adjoint | Way::AdjointWithParameters => vec![
-                format!("The gradient of a cost by what the step is given, from its gradient by the state after the step. {PER_SPEED}"),
-                format!("The step is {step}"),
-                GRADIENT_IN_PLACE.to_owned(),
-            ],
-            Way::ByParameters => vec![
-                format!("The derivatives by all values set at run time, in the order of `PARAMETER_NAMES`, of the state after {step}"),
-                PER_SPEED.to_owned(),
-            ],
-        };
-        let unread = self.condition.unread().map(str::to_owned);
-        lines.into_iter().chain(unread).collect()
-    }
-
-    /// What every step is given.
-    fn given(self) -> Vec<Declared> {
-        let [q, u, tau] = [Argument::Q, Argument::U, Argument::Tau].map(Argument::declared);
-        let dt = Declared {
-            unit: Unit::Of(&["s"]),
-            ..Declared::read("dt", Element::Scalar, "the time of the step")
-        };
-        match self.condition {
-            Condition::Free => vec![q, u, tau, dt],
-            Condition::Loaded => vec![q, u, tau, Argument::Loads.declared(), dt],
-            Condition::Driven => vec![q, u, Argument::UDot.declared(), tau, dt],
-        }
-    }
-
-    /// What it is given besides, and what it writes.
-    fn others(self) -> Vec<Declared> {
-        let state = [Argument::Q, Argument::U].map(|own| after(&own.declared()));
-        match self.way {
-            Way::Step => state.to_vec(),
-            Way::Linearized => state.into_iter().chain(matrices()).collect(),
-            Way::Forward => changes(state, &[]),
-            Way::ForwardWithParameters => changes(state, &[Argument::ParametersDirection]),
-            Way::Adjoint => gradients(&[]),
-            Way::AdjointWithParameters => gradients(&[Argument::ParametersDirection]),
-            Way::ByParameters => by_parameters().to_vec(),
-        }
+/// What a step is given besides, and what it writes.
+fn others(way: Way) -> Vec<Declared> {
+    let state = [Argument::Q, Argument::U].map(|own| after(&own.declared()));
+    match way {
+        Way::Step => state.to_vec(),
+        Way::Linearized => state.into_iter().chain(matrices()).collect(),
+        Way::Forward => changes(state, &[]),
+        Way::ForwardWithParameters => changes(state, &[Argument::ParametersDirection]),
+        Way::Adjoint => gradients(&[]),
+        Way::AdjointWithParameters => gradients(&[(
+            "parameters",
+            "all values set at run time, in the order of `PARAMETER_NAMES`",
+            Argument::ParametersDirection,
+        )]),
+        Way::ByParameters => by_parameters().to_vec(),
     }
 }
 
@@ -248,7 +156,14 @@ impl Step {
 fn changes(state: [Declared; 2], others: &[Argument]) -> Vec<Declared> {
     let own = [Argument::QDirection, Argument::UDirection].map(Argument::declared);
     let others = [Argument::TauDirection].iter().chain(others);
-    let written = own.clone().map(|own| after(&own));
+    let written = [
+        (&own[0], "the change of `q` after the step"),
+        (&own[1], "that of `u`"),
+    ];
+    let written = written.map(|(own, meaning)| Declared {
+        meaning: meaning.into(),
+        ..after(own)
+    });
     own.into_iter()
         .chain(others.map(|own| own.declared()))
         .chain(state)
@@ -256,25 +171,32 @@ fn changes(state: [Declared; 2], others: &[Argument]) -> Vec<Declared> {
         .collect()
 }
 
-/// The multiplier of the state afterwards, and gradients by what the step begins with.
-fn gradients(others: &[Argument]) -> Vec<Declared> {
-    let renamed = |own: &Argument, word: &str, of: &str| {
-        let own = own.declared();
-        let stem = own.name.trim_end_matches("_direction");
-        Declared {
-            name: format!("{stem}_{word}"),
-            meaning: format!("the gradient of a cost by `{stem}`{of}").into(),
-            unit: Unit::UNKNOWN,
-            ..own
-        }
+/// The multiplier of the state afterwards, and gradients by what the step begins with: by what they are called, by what they are, and
+/// what a direction of it is like.
+fn gradients(others: &[(&str, &str, Argument)]) -> Vec<Declared> {
+    let state = [
+        ("q", "`q`", Argument::QDirection),
+        ("u", "`u`", Argument::UDirection),
+    ];
+    let tau = [("tau", "`tau`", Argument::TauDirection)];
+    let like = |name: String, meaning: String, like: Argument| Declared {
+        name,
+        meaning: meaning.into(),
+        unit: Unit::UNKNOWN,
+        ..like.declared()
     };
-    let state = [Argument::QDirection, Argument::UDirection];
-    let multipliers = state.iter();
-    let multipliers = multipliers.map(|own| renamed(own, "multiplier", " after the step"));
-    let all = state.iter().chain(&[Argument::TauDirection]).chain(others);
-    let gradients = all.map(|own| Declared {
+    let multipliers = state.iter().map(|(name, by, argument)| {
+        let meaning = format!("the gradient of a cost by {by} after the step");
+        like(format!("{name}_multiplier"), meaning, *argument)
+    });
+    let all = state.iter().chain(&tau).chain(others);
+    let gradients = all.map(|(name, by, argument)| Declared {
         access: Access::Written,
-        ..renamed(own, "gradient", "")
+        ..like(
+            format!("{name}_gradient"),
+            format!("the gradient of the cost by {by}"),
+            *argument,
+        )
     });
     multipliers.chain(gradients).collect()
 }

@@ -4,11 +4,11 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::text::ident;
-use crate::printers::c::steps::{Condition, Step, Way};
+use crate::steps::{Condition, Step, Way};
 
 /// The call of a step. What it reads is copied before it writes, where both may be at the same place.
 pub(super) fn call(step: Step) -> TokenStream {
-    let (module, way) = (ident(step.scheme.module()), ident(step.way.name()));
+    let (module, way) = (ident(step.scheme.module()), ident(step.way.function()));
     let system = match step.condition {
         Condition::Free => quote!(&*p),
         Condition::Loaded => quote!(&kane::conditions::Loaded {

@@ -1,7 +1,7 @@
 //! Springs, dampers, rotors, friction and limits: of coordinates that can have them, and of the right sign.
 
 use crate::description::{
-    Chart, JointKind, Limits, PerCoordinate, Scalar, WrittenBody, WrittenJoint,
+    Chart, CoordinateName, JointKind, Limits, PerCoordinate, Scalar, WrittenBody, WrittenJoint,
 };
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
@@ -237,11 +237,11 @@ impl Check<'_> {
                 self.name
             );
             let fault = Diagnostic::error(message).at(span, "no spring can act here");
-            let moves = self.joint.free().any(|motion| motion >= 3);
-            self.findings.push(if moves {
-                fault.help("springs of its translations are named: `{ s1 = 100.0 }`")
-            } else {
-                fault
+            self.findings.push(match self.first_shift() {
+                Some(shift) => fault.help(format!(
+                    "springs of its translations are named: `{{ {shift} = 100.0 }}`"
+                )),
+                None => fault,
             });
         }
     }
@@ -275,6 +275,12 @@ impl Check<'_> {
         }
     }
 
+    /// The name of its first translation.
+    fn first_shift(&self) -> Option<&'static str> {
+        let shift = self.joint.free().find(|motion| *motion >= 3)?;
+        Some(CoordinateName::NAMES[shift])
+    }
+
     /// No coordinate of a quaternion is an angle that could be limited.
     fn limits_of_quaternion(&mut self, quantity: &PerCoordinate<Limits>) {
         if self.joint.chart != Chart::Quaternion {
@@ -295,12 +301,17 @@ impl Check<'_> {
             return;
         };
         let message = format!(
-            "`lower` and `upper` of {} limit angles, but its orientation is a quaternion: they are left out",
+            "`lower` and `upper` of {} do not limit its angles: its orientation is a quaternion",
             self.name
         );
-        let warning = Diagnostic::warning(message).at(limits.span, "not stored for angles");
+        let warning = Diagnostic::warning(message).at(limits.span, "left out for angles");
         let warning = warning.one_of("limits of angles of quaternions are left out", self.called);
-        self.findings.push(warning);
+        let is_of_all = matches!(quantity, PerCoordinate::Same(_));
+        self.findings
+            .push(match self.first_shift().filter(|_| is_of_all) {
+                Some(_) => warning.help("its translations have them"),
+                None => warning,
+            });
     }
 
     fn limits(&mut self, limits: &Limits) {

@@ -61,7 +61,7 @@ use crate::cli::{
     \"q_direction\": [1.0, 0.0],  for jvp, shaped like the variable (q_direction: like u); \"multiplier\" for vjp and hessian\n    \
     \"parameters\": {\"arm_mass\": 2.0}    those that differ from the nominal values\n  \
     }\n\
-    Inputs that the function does not need may be absent; the sines and cosines of F(sin_cos) come from q. Coordinates, speeds and bodies may also be named. What is not named is zero, but the first number of a quaternion is one; a load has both its vectors:\n  \
+    Inputs that the function does not need may be absent; the sines and cosines of F(sin_cos) come from q. Coordinates, speeds and bodies may also be named. What is not named is zero, but the first number of a quaternion is one; a load that is given has both `force` and `moment`:\n  \
     {\"q\": {\"elbow\": 0.3}, \"u\": {}}\n\n\
     Examples:\n  \
     kane eval models/arm.toml --function mass_matrix --state state.json\n  \

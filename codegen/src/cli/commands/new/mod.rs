@@ -63,7 +63,7 @@ const TAKEN: [&str; 29] = [
 /// Create a package with a model, its generated module, a control loop and a test
 ///
 /// The folder NAME gets `Cargo.toml`, `kane.toml`, the model in `models/`, the generated module with its tests and a control loop in
-/// `src/`. With --kane, `cargo run` and `cargo test` then work at once; without it, the package needs the crate `kane` from crates.io, and
+/// `src/`. With --kane, `cargo run` and `cargo test` work at once; without it, the package needs the crate `kane` from crates.io, and
 /// also gets a GitHub workflow. With --abi c the control loop is a
 /// C program with a Makefile, and the functions are a static library; `make run` starts it. A model that needs other files, such
 /// as meshes, is converted to kane's TOML format.
