@@ -137,7 +137,7 @@ impl Step {
         format!("{before}{scheme}_{}", self.way.function())
     }
 
-    /// The function of the runtime crate, and of which system: `kane::discrete::rk4::step of a kane::conditions::Loaded`.
+    /// The function of the runtime crate, and what takes the system's place: `kane::discrete::rk4::step` with `kane::conditions::Loaded`.
     pub(crate) fn of_runtime(self) -> String {
         let function = format!(
             "`kane::discrete::{}::{}`",
@@ -146,7 +146,7 @@ impl Step {
         );
         match self.condition.system() {
             None => function,
-            Some(system) => format!("{function} of `kane::conditions::{system}`"),
+            Some(system) => format!("{function} with `kane::conditions::{system}`"),
         }
     }
 

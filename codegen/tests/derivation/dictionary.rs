@@ -42,7 +42,7 @@ fn steps_are_met_with_what_they_need() {
         ),
         (
             "driven_euler_adjoint",
-            "that is `kane::discrete::euler::adjoint` of `kane::conditions::Driven` in Rust and `driven_euler_adjoint` in C, \
+            "that is `kane::discrete::euler::adjoint` with `kane::conditions::Driven` in Rust and `driven_euler_adjoint` in C, \
              with `hybrid_dynamics`, `vjp(hybrid_dynamics; q, u, tau)`",
         ),
         (

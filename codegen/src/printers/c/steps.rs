@@ -97,7 +97,7 @@ fn doc(step: Step) -> Vec<String> {
             format!("{STATE_IN_PLACE} {CHANGE_IN_PLACE}"),
         ],
         Way::Adjoint | Way::AdjointWithParameters => vec![
-            format!("From the gradient of a cost by the state after a step that by `q`, `u`{} before it. {PER_SPEED}", and_tau(way)),
+            format!("The gradient of a cost by `q`, `u`{}, from its gradient by the state after the step: `q_multiplier` and `u_multiplier`. {PER_SPEED}", and_tau(way)),
             format!("The step is {step}"),
             GRADIENT_IN_PLACE.to_owned(),
         ],
@@ -114,7 +114,7 @@ fn doc(step: Step) -> Vec<String> {
 fn and_tau(way: Way) -> &'static str {
     match way {
         Way::ForwardWithParameters | Way::AdjointWithParameters => {
-            ", `tau` and all values set at run time"
+            ", `tau` and all values set at run time, in the order of `PARAMETER_NAMES`"
         }
         _ => " and `tau`",
     }
