@@ -104,6 +104,15 @@ impl Diagnostic {
         self
     }
 
+    /// The same where there is something to do about it.
+    #[must_use]
+    pub fn help_if(self, help: Option<impl Into<String>>) -> Self {
+        match help {
+            Some(help) => self.help(help),
+            None => self,
+        }
+    }
+
     /// The same as one of a kind, of which many are told on one line: `plural` stands after a number, `subject` is the name
     /// of what this one is about.
     #[must_use]

@@ -328,6 +328,7 @@ files! { FILES, description_is_refused:
     mimic_is_string
     mimic_of_a_fixed_joint
     mimic_of_a_joint_with_two
+    mimic_of_no_joint_that_is_near
     mimic_of_the_body_of_a_joint
     mimic_of_two_coordinates
     mimic_of_unknown_joint

@@ -68,12 +68,9 @@ pub(super) fn malformed(mended: &Mended<'_>, base: usize, error: &Error) -> Diag
         other => other.to_string().replace(&format!(" at {position}"), ""),
     };
     let start = base + mended.place(at);
-    let fault = Diagnostic::error(format!("not valid XML: {message}"))
-        .at(Span::from(start..start + length), "here");
-    match help {
-        Some(help) => fault.help(help),
-        None => fault,
-    }
+    Diagnostic::error(format!("not valid XML: {message}"))
+        .at(Span::from(start..start + length), "here")
+        .help_if(help)
 }
 
 /// The byte at a line and a column, both from 1, the column in characters.

@@ -319,8 +319,5 @@ fn with_known(
     (known, near): (&[&str], &mut NearNames),
     what: &str,
 ) -> Diagnostic {
-    match names::meant(name, known, near, what) {
-        Some(help) => fault.help(help),
-        None => fault,
-    }
+    fault.help_if(names::meant(name, known, near, what))
 }

@@ -237,12 +237,10 @@ impl Check<'_> {
                 self.name
             );
             let fault = Diagnostic::error(message).at(span, "no spring can act here");
-            self.findings.push(match self.first_shift() {
-                Some(shift) => fault.help(format!(
-                    "springs of its translations are named: `{{ {shift} = 100.0 }}`"
-                )),
-                None => fault,
+            let help = self.first_shift().map(|shift| {
+                format!("springs of its translations are named: `{{ {shift} = 100.0 }}`")
             });
+            self.findings.push(fault.help_if(help));
         }
     }
 
@@ -286,7 +284,7 @@ impl Check<'_> {
         if self.joint.chart != Chart::Quaternion {
             return;
         }
-        let of_angles = match quantity {
+        let limits = match quantity {
             PerCoordinate::Absent => None,
             PerCoordinate::Same(limits) => Some(limits),
             PerCoordinate::Each(values) => {
@@ -297,21 +295,20 @@ impl Check<'_> {
                 of_angle.map(|(_, limits)| limits)
             }
         };
-        let Some(limits) = of_angles.filter(|limits| is_ranged(&limits.value)) else {
+        let Some(limits) = limits.filter(|limits| is_ranged(&limits.value)) else {
             return;
         };
         let message = format!(
             "`lower` and `upper` of {} do not limit its angles: its orientation is a quaternion",
             self.name
         );
-        let warning = Diagnostic::warning(message).at(limits.span, "left out for angles");
-        let warning = warning.one_of("limits of angles of quaternions are left out", self.called);
         let is_of_all = matches!(quantity, PerCoordinate::Same(_));
-        self.findings
-            .push(match self.first_shift().filter(|_| is_of_all) {
-                Some(_) => warning.help("its translations have them"),
-                None => warning,
-            });
+        let others = self.first_shift().filter(|_| is_of_all);
+        let warning = Diagnostic::warning(message)
+            .at(limits.span, "left out for angles")
+            .one_of("limits of angles of quaternions are left out", self.called)
+            .help_if(others.map(|_| "its translations have them"));
+        self.findings.push(warning);
     }
 
     fn limits(&mut self, limits: &Limits) {

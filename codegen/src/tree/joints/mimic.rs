@@ -186,15 +186,25 @@ impl<'d> JointNames<'d> {
         }
     }
 
-    /// What to say of a name that is none: whose joint is called otherwise, which was probably meant, or which there are.
-    fn meant(&mut self, description: &Description, name: &str) -> Option<String> {
+    /// What to say of a name that is none: whose joint is called otherwise, which was probably meant, or which there are, of those that
+    /// can be followed.
+    fn meant(
+        &mut self,
+        description: &Description,
+        name: &str,
+        can_be_followed: impl Fn(usize) -> bool,
+    ) -> Option<String> {
         let of_body = joint_named(description, name).and_then(|body| joint_name(description, body));
         if let Some(joint) = of_body {
             let (name, joint) = (name.escaped(), joint.escaped());
             return Some(format!("the joint of the body `{name}` is `{joint}`"));
         }
-        let known: Vec<&str> = self.places.keys().copied().collect();
-        meant(name, &known, &mut self.near, "the joints")
+        let known = self
+            .places
+            .iter()
+            .filter(|(_, body)| can_be_followed(**body));
+        let known: Vec<&str> = known.map(|(name, _)| *name).collect();
+        meant(name, &known, &mut self.near, "the joints that it can follow")
     }
 }
 
@@ -236,11 +246,11 @@ fn link(
             "{name} mimics `{}`, which is no joint",
             joint.value.escaped()
         );
-        let fault = Diagnostic::error(fault).at(joint.span, "unknown joint");
-        findings.push(match names.meant(description, &joint.value) {
-            Some(help) => fault.help(help),
-            None => fault,
+        let help = names.meant(description, &joint.value, |other| {
+            other != body && joints[other].leading.is_some()
         });
+        let fault = Diagnostic::error(fault).at(joint.span, "unknown joint");
+        findings.push(fault.help_if(help));
         return None;
     };
     let kind = description.bodies[leader].joint.kind.as_ref();

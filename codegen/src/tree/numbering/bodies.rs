@@ -127,13 +127,10 @@ fn no_root(description: &Description, lower: &[Option<usize>]) -> Diagnostic {
         Some(array) => fault.at(array.span, "expected at least one 0"),
         None => fault,
     };
-    match cycles(lower).first() {
-        Some(cycle) => fault.help(format!(
-            "write 0 for the lower body of a root; now {}",
-            chain(description, cycle)
-        )),
-        None => fault,
-    }
+    fault.help_if(cycles(lower).first().map(|cycle| {
+        let chain = chain(description, cycle);
+        format!("write 0 for the lower body of a root; now {chain}")
+    }))
 }
 
 /// The most bodies of a cycle that a message names.
