@@ -69,17 +69,17 @@ fn most(request: &Request, recursive: Operations) -> usize {
 /// True where the notes cost no more: as they are written, if they are short.
 fn are_cheaper(plans: &Plans<'_>, request: &Request, notes: &Derived, recursive: &Derived) -> bool {
     let [of_notes, of_recursion] = [notes, recursive].map(operations);
-    let cost_less_as_derived = cost(request, of_notes) <= cost(request, of_recursion);
+    let cost_no_more_as_derived = cost(request, of_notes) <= cost(request, of_recursion);
     if of_recursion.total() > MOST_WRITTEN || cost(request, of_notes) > most(request, of_recursion)
     {
-        return cost_less_as_derived;
+        return cost_no_more_as_derived;
     }
     let [of_notes, of_recursion] = [notes, recursive].map(|derived| {
         let operations = emitted(plans.tree, request, derived, plans.without);
         cost(request, operations)
     });
     // What happens to be the same as something else, such as two numbers, makes no formulation a better one.
-    of_notes < of_recursion || of_notes == of_recursion && cost_less_as_derived
+    of_notes < of_recursion || of_notes == of_recursion && cost_no_more_as_derived
 }
 
 /// True where the function is derived by the notes beside the recursion, which needs these operations: on a large tree the literal sums

@@ -110,7 +110,10 @@ impl Felt {
                 }
             }
             _ => {
-                let inertia = unit_inertia(graph, InertialParameter::COMPONENTS[parameter - 4]);
+                let inertia = unit_inertia(
+                    graph,
+                    InertialParameter::COMPONENTS[parameter - InertialParameter::INERTIAS.start],
+                );
                 Wrench {
                     force: zero,
                     moment: dynamics::euler(graph, &inertia, w, alpha),

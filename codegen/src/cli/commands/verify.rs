@@ -26,7 +26,7 @@ use crate::cli::{Failures, Outcome, Voice, arguments::parse::one_of, paths, text
 /// helpers and the runtime's sines and cosines, which are checked too; so no function can panic. It may access only its arguments, its
 /// stack and constants, and no address may depend on a value. The output is a table (bytes of machine code, bytes of stack,
 /// instructions per call) and a list of broken promises. The numbers depend on the compiler, its target and its options. Files beside
-/// the modules, the functions for C and the tests, are skipped, and so are other Rust files if one file at least is a module.
+/// the modules, the functions for C and the tests, are skipped. Rust files that `kane` did not write are skipped too, beside a module.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Exit codes:\n  \
     0  every promise holds\n  \

@@ -77,7 +77,10 @@ impl LinkMotion {
             }
             _ => Wrench {
                 force: zero,
-                moment: self.of_inertia(graph, InertialParameter::COMPONENTS[parameter - 4]),
+                moment: self.of_inertia(
+                    graph,
+                    InertialParameter::COMPONENTS[parameter - InertialParameter::INERTIAS.start],
+                ),
             },
         }
     }
@@ -125,13 +128,19 @@ pub(super) fn weigh(
             let felt = graph.dot(axes[other], about.crossed);
             let factor = graph.number(about.motion.factor);
             let felt = graph.mul(factor, felt);
-            let entry = &mut y[regressor_place(tree, about.motion.speed.index(), body, 1 + other)];
+            let entry = &mut y[regressor_place(
+                tree,
+                about.motion.speed.index(),
+                body,
+                InertialParameter::MOMENTS.start + other,
+            )];
             *entry = graph.add(*entry, felt);
         }
         for speed in 0..tree.n_speeds {
             let of_inertia = y[regressor_place(tree, speed, body, component(own, other))];
             let farther = graph.mul(along, of_inertia);
-            let entry = &mut y[regressor_place(tree, speed, body, 1 + other)];
+            let entry = &mut y
+                [regressor_place(tree, speed, body, InertialParameter::MOMENTS.start + other)];
             *entry = graph.sub(*entry, farther);
         }
     }
@@ -220,7 +229,8 @@ impl OnHinge {
         rotation: &dyn Turn,
         parameter: usize,
     ) -> Option<Vector> {
-        let &[row, column] = InertialParameter::COMPONENTS.get(parameter.checked_sub(4)?)?;
+        let &[row, column] = InertialParameter::COMPONENTS
+            .get(parameter.checked_sub(InertialParameter::INERTIAS.start)?)?;
         let other = match (row == self.own, column == self.own) {
             (true, true) => {
                 let axis = graph.unit_vector(self.axis.index());
@@ -231,9 +241,9 @@ impl OnHinge {
             (false, true) => row,
             (false, false) => return None,
         };
-        let of_moment = columns
-            .iter()
-            .find(|column| column.body == self.body && column.parameter == 1 + other)?;
+        let of_moment = columns.iter().find(|column| {
+            column.body == self.body && column.parameter == InertialParameter::MOMENTS.start + other
+        })?;
         if !of_moment.needed.has_force(graph) || of_moment.needed.has_left() {
             return None;
         }

@@ -204,7 +204,12 @@ impl<'d> JointNames<'d> {
             .iter()
             .filter(|(_, body)| can_be_followed(**body));
         let known: Vec<&str> = known.map(|(name, _)| *name).collect();
-        meant(name, &known, &mut self.near, "the joints that it can follow")
+        meant(
+            name,
+            &known,
+            &mut self.near,
+            "the joints that it can follow",
+        )
     }
 }
 
