@@ -37,8 +37,8 @@ impl Diagnostics {
             .collect();
         match &first.kind {
             Some(kind) if subjects.len() > 1 => {
-                let (count, plural, name) = (subjects.len(), &kind.plural, self.source().name());
-                let line = format!("{name}: {count} {plural}: {}", first_few(&subjects));
+                let (count, plural, place) = (subjects.len(), &kind.plural, self.place(first));
+                let line = format!("{place}: {count} {plural}: {}", first_few(&subjects));
                 (line, true)
             }
             _ => {

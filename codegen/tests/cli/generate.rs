@@ -454,7 +454,7 @@ fn warnings_and_notes_are_told_and_do_not_stop() {
     assert_eq!(ran.code, 0);
     assert_eq!(
         ran.told(),
-        "note: models/arm.toml: 2 bodies are renumbered outward: \
+        "note: models/arm.toml:3:16: 2 bodies are renumbered outward: \
          body `fore` from 2 to 1, body `upper` from 1 to 2 (all: --verbose)\n\
          wrote generated/arm.rs\n"
     );
