@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::{
-    BodySpeed, Factors, Inversion, SpeedMatrix, carried::factorised, carriers::Carriers,
-    elimination_order, subtract,
+    BodySpeed, Factors, Inversion, LockstepSolver, SpeedMatrix, carried::factorised,
+    carriers::Carriers, elimination_order, subtract,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Purpose},
+    expr::{Expr, ExprGraph, LANES, Purpose},
     id::SpeedId,
     tree::Tree,
 };
@@ -53,25 +53,36 @@ impl FreeSpeeds {
     }
 
     /// The accelerations of the free speeds for each of several columns of forces; those of prescribed speeds are neither read nor
-    /// other than zero.
+    /// other than zero. Columns go side by side where they go `in_lockstep`.
     pub fn solutions(
         &self,
         graph: &mut ExprGraph,
         tree: &Tree,
         mut columns: Vec<Vec<Expr>>,
+        in_lockstep: bool,
     ) -> Vec<Vec<Expr>> {
         for column in &mut columns {
             for (own, _) in &self.beside {
                 column[own.index()] = graph.zero();
             }
         }
-        self.factors.solutions(graph, tree, &columns)
+        if in_lockstep {
+            let none = Carriers::default();
+            LockstepSolver::new(&self.factors, tree, &none).solve(graph, &columns)
+        } else {
+            self.factors.solutions(graph, tree, &columns)
+        }
     }
 
-    /// `A_ff^-1`, zero elsewhere.
-    pub fn inverse(&self, graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
+    /// `A_ff^-1`, zero elsewhere; its columns side by side where they go `in_lockstep`.
+    pub fn inverse(&self, graph: &mut ExprGraph, tree: &Tree, in_lockstep: bool) -> SpeedMatrix {
         let none = Carriers::default();
-        self.factors.inverse(graph, tree, Inversion::by(&none))
+        let how = Inversion {
+            // No more lanes stay empty than are taken.
+            in_lockstep: in_lockstep.then_some(LANES / 2),
+            ..Inversion::by(&none)
+        };
+        self.factors.inverse(graph, tree, how)
     }
 
     /// The forces of the prescribed speeds, zero at others: what is needed, and what these accelerations of the free ones need more.

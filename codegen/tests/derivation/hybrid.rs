@@ -43,7 +43,7 @@ fn random_tree(seed: u64) -> Tree {
 }
 
 /// The tree with these joints prescribed, by the places of their bodies.
-fn prescribing(tree: &Tree, is_prescribed: impl FnMut(&usize) -> bool) -> Tree {
+pub(crate) fn prescribing(tree: &Tree, is_prescribed: impl FnMut(&usize) -> bool) -> Tree {
     let bodies = (0..tree.bodies.len()).filter(is_prescribed);
     let speeds = bodies.flat_map(|body| tree.bodies[body].joint.speeds());
     Tree {

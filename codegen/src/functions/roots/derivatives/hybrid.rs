@@ -35,9 +35,9 @@ pub(in crate::functions) fn hybrid_dynamics(
     plan: &Plan,
 ) -> ByArguments {
     let (zero, loads) = (Accelerations::Zero, Loads::Absent);
+    let in_lockstep = plan.uses(Technique::Lockstep);
     // Columns pass twice and share what they have in common, which calls do not.
-    let in_lockstep = plan.uses(Technique::Lockstep) && plan.calls_twice();
-    let plan = &plan.with(Technique::Lockstep, in_lockstep);
+    let plan = &plan.with(Technique::Lockstep, in_lockstep && plan.calls_twice());
     let of_inverse_dynamics = |graph: &mut ExprGraph, given: Accelerations<'_>, wanted: Wanted| {
         derivatives::of_inverse_dynamics(graph, tree, plan, given, loads, wanted)
     };
@@ -60,15 +60,16 @@ pub(in crate::functions) fn hybrid_dynamics(
         tree,
         mass: &mass,
         free: &free,
+        in_lockstep,
     };
     let by_u_dot = columns.by_accelerations(graph);
     let mut by_tau = columns.by_forces(graph, &by_u_dot);
-    let by_q = columns.by_coordinates(graph, by_q, u_dot, &by_tau);
+    let [by_q, by_u] = columns.by_coordinates_and_speeds(graph, [by_q, by_u], u_dot, &by_tau);
     columns.copy_given(graph, &mut by_tau);
     ByArguments {
         by: vec![
             (Argument::Q, by_q),
-            (Argument::U, columns.of_needed(graph, &by_u)),
+            (Argument::U, by_u),
             (Argument::UDot, by_u_dot),
             (Argument::Tau, by_tau),
         ],
@@ -98,17 +99,19 @@ struct Columns<'a> {
     tree: &'a Tree,
     mass: &'a SpeedMatrix,
     free: &'a FreeSpeeds,
+    /// Whether several go side by side.
+    in_lockstep: bool,
 }
 
 impl Columns<'_> {
-    /// By coordinates, of which some are known without a solution where roots float freely.
-    fn by_coordinates(
+    /// By coordinates, of which some are known without a solution where roots float freely, and by speeds.
+    fn by_coordinates_and_speeds(
         &self,
         graph: &mut ExprGraph,
-        mut needed: SpeedMatrix,
+        needed: [SpeedMatrix; 2],
         u_dot: &[Expr],
         by_forces: &Rows,
-    ) -> Rows {
+    ) -> [Rows; 2] {
         let prescribed = &self.tree.prescribed;
         let is_free = |(body, _): &TurningRoot| {
             let mut speeds = self.tree.body(*body).joint.speeds().into_iter();
@@ -118,30 +121,35 @@ impl Columns<'_> {
         let is_worth_it = prescribed.len() * SPEEDS_PER_PRESCRIBED <= self.tree.n_speeds;
         let mut roots = turning_roots(self.tree);
         roots.retain(|root| is_worth_it && is_free(root));
+        let [mut by_q, by_u] = needed.map(|needed| solve::transposed(&needed));
         for speed in roots.iter().flat_map(|(_, speeds)| speeds) {
-            for row in &mut needed {
-                row[speed.index()] = graph.zero();
-            }
+            by_q[speed.index()].fill(graph.zero());
         }
-        let mut found = self.of_needed(graph, &needed);
+        let [mut by_q, by_u] = if self.in_lockstep {
+            // Together, so that fewer lanes stay empty.
+            let found = self.of_needed(graph, &[by_q, by_u].concat());
+            let (by_q, by_u) = found.split_at(self.tree.n_speeds);
+            [by_q, by_u].map(solve::transposed)
+        } else {
+            [by_q, by_u].map(|columns| solve::transposed(&self.of_needed(graph, &columns)))
+        };
         for (speed, column) in turned_roots(graph, self.tree, &roots, u_dot, by_forces) {
-            for (row, entry) in found.iter_mut().zip(column) {
+            for (row, entry) in by_q.iter_mut().zip(column) {
                 row[speed.index()] = entry;
             }
         }
-        found
+        [by_q, by_u]
     }
 
-    /// By what changes the needed forces so.
-    fn of_needed(&self, graph: &mut ExprGraph, needed: &SpeedMatrix) -> Rows {
-        let columns = solve::transposed(needed);
-        let accelerations = self.accelerations(graph, &columns);
+    /// Accelerations, then forces, by each of what changes the needed forces so.
+    fn of_needed(&self, graph: &mut ExprGraph, columns: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
+        let accelerations = self.accelerations(graph, columns);
         let columns = columns.iter().zip(accelerations);
         let columns = columns.map(|(needed, accelerations)| {
             let forces = self.free.forces(graph, self.tree, needed, &accelerations);
             [accelerations, forces].concat()
         });
-        solve::transposed(&columns.collect::<Rows>())
+        columns.collect()
     }
 
     /// By the given accelerations.
@@ -173,7 +181,7 @@ impl Columns<'_> {
     /// ones.
     fn by_forces(&self, graph: &mut ExprGraph, by_accelerations: &Rows) -> Rows {
         let n = self.tree.n_speeds;
-        let mut found = self.free.inverse(graph, self.tree);
+        let mut found = self.free.inverse(graph, self.tree, self.in_lockstep);
         found.extend(vec![vec![graph.zero(); n]; n]);
         for own in self.tree.prescribed.iter().map(|own| own.index()) {
             for other in (0..n).map(SpeedId::new) {
@@ -198,6 +206,7 @@ impl Columns<'_> {
     /// `-M_ff^-1` times the rows of the free speeds.
     fn accelerations(&self, graph: &mut ExprGraph, columns: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
         let negative = columns.iter().cloned().map(solve::negated);
-        self.free.solutions(graph, self.tree, negative.collect())
+        self.free
+            .solutions(graph, self.tree, negative.collect(), self.in_lockstep)
     }
 }
