@@ -3,6 +3,7 @@
 mod build_script;
 mod diffs;
 mod header;
+mod helpers;
 mod interface;
 mod listing;
 mod long;

@@ -57,8 +57,9 @@ impl InputNames {
             Input::FrameForce(axis) => of_frame("force", axis),
             Input::FrameMoment(axis) => of_frame("moment", axis),
             Input::Shared(place) => format!("shared_{place}"),
-            Input::Side(place) => format!("side_{place}"),
-            Input::CallResult(_) => unreachable!("listing: what calls compute is no input"),
+            Input::Side(_) | Input::CallResult(_) => {
+                unreachable!("listing: {input:?} is no input of a function")
+            }
             Input::Product(of, place) => format!("product_{of}_{place}"),
             Input::Parameter(parameter) => tree.parameters[parameter.index()].name.clone(),
             Input::Prepared(place) => format!("prepared_{place}"),

@@ -13,6 +13,7 @@ mod loops;
 mod name;
 mod plain;
 mod scratch;
+mod side_names;
 mod signatures;
 mod stages;
 mod statements;

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{group::Groups, input_names::InputNames};
+use super::group::Groups;
 use crate::{
     expr::Input,
     id::BodyId,
@@ -86,11 +86,11 @@ pub(super) struct Names {
     pub(super) taken: Taken,
 }
 
-/// The names of a program's values. `arguments` are the function's own.
+/// The names of a program's values, with these of its inputs. `arguments` are the function's own.
 pub(super) fn names<'a>(
     program: &Program,
     groups: &Groups,
-    (tree, known): (&Tree, &InputNames),
+    (tree, of_input): (&Tree, &dyn Fn(Input) -> String),
     arguments: impl Iterator<Item = &'a str>,
     numbering: Numbering,
 ) -> Names {
@@ -102,7 +102,7 @@ pub(super) fn names<'a>(
         match value.definition {
             // Read where it stands.
             Definition::Input(Input::Prepared(_) | Input::Shared(_)) | Definition::Instruction => {}
-            Definition::Input(input) => *name = taken.take(known.input(tree, input)),
+            Definition::Input(input) => *name = taken.take(of_input(input)),
         }
     }
     let letter = match numbering {

@@ -10,6 +10,7 @@ use super::{
     loops,
     name::{self, Numbering},
     scratch::Scratch,
+    side_names::Known,
     signatures, stages, statements,
     statements::ProgramContext,
 };
@@ -40,6 +41,8 @@ struct Body<'b> {
     signature: &'b Signature,
     /// Where inputs stand among the arguments.
     given: InputPlaces,
+    /// What locals are called that hold what a helper is given of a column.
+    sides: &'b [String],
     scratch: &'b Scratch,
     /// Where outputs go.
     places: Vec<Entry>,
@@ -85,6 +88,7 @@ impl<'a> FunctionWriter<'a> {
             program,
             signature: &signature,
             given: self.given(&arguments),
+            sides: &[],
             scratch: &scratch,
             places: places(&signature, self.facts),
             // Vectors of neighbours pay where these are copies of what calls compute, and where they are products with the same factors.
@@ -92,8 +96,16 @@ impl<'a> FunctionWriter<'a> {
             numbering: Numbering::InFunction,
         });
         let stages = stages::of(&signature, &scratch.declared, &code);
+        let known = Known {
+            tree: self.tree,
+            inputs: &self.inputs,
+            fields: &self.compiled.fields,
+        };
         let helpers = program.helpers.iter().enumerate();
-        let helpers = helpers.map(|(place, own)| self.helper(&signature.name, place, own));
+        let helpers = helpers.map(|(place, own)| {
+            let sides = known.sides(program, place);
+            self.helper((&signature.name, place), own, &sides)
+        });
         let helpers = helpers.collect();
         Function {
             request: Some(request.text()),
@@ -112,13 +124,19 @@ impl<'a> FunctionWriter<'a> {
     }
 
     /// What a function runs on several columns.
-    fn helper(&self, of: &str, place: usize, helper: &program::Helper) -> Helper {
+    fn helper(
+        &self,
+        (of, place): (&str, usize),
+        helper: &program::Helper,
+        sides: &[String],
+    ) -> Helper {
         let (roles, signature) = helper::declared(of, place, helper);
         let program = &helper.program;
         let code = self.code(&Body {
             program,
             signature: &signature,
             given: helper::entries(program),
+            sides,
             scratch: &Scratch::default(),
             places: places(&signature, self.facts),
             keeps_apart: false,
@@ -157,6 +175,7 @@ impl<'a> FunctionWriter<'a> {
             program,
             signature: &signature,
             given: InputPlaces::new(),
+            sides: &[],
             scratch: &Scratch::default(),
             places: places.collect(),
             keeps_apart: false,
@@ -170,10 +189,14 @@ impl<'a> FunctionWriter<'a> {
         let groups = Groups::of(program);
         let arguments = signature.arguments.iter().chain(&body.scratch.declared);
         let arguments = arguments.map(|argument| argument.name.as_str());
+        let of_input = |input| match input {
+            Input::Side(place) => body.sides[place].clone(),
+            input => self.inputs.input(self.tree, input),
+        };
         let names = name::names(
             program,
             &groups,
-            (self.tree, &self.inputs),
+            (self.tree, &of_input),
             arguments,
             body.numbering,
         );

@@ -56,9 +56,15 @@ struct NewHelper {
     graph: ExprGraph,
     /// What each group of the call computes.
     groups: BTreeMap<usize, Expr>,
+}
+
+/// What a call is given.
+#[derive(Default)]
+struct Given {
     shared: Vec<Expr>,
+    /// Numbers of the model come last: one more moves no value.
     sides: Vec<Vec<Expr>>,
-    /// Where what was given before stands.
+    /// Where each row of lanes stands.
     places: BTreeMap<Vec<Expr>, Input>,
 }
 
@@ -81,6 +87,7 @@ impl Writer<'_> {
     /// What a call reads, and the call.
     fn call(&mut self, call: usize) {
         self.copy_operands(call);
+        let given = self.all_given(call);
         let mut helper = NewHelper::default();
         let own = &self.calls.groups[call];
         for &number in own {
@@ -90,7 +97,7 @@ impl Writer<'_> {
                 .iter()
                 .map(|operand| match self.inside(call, operand) {
                     Some(inside) => helper.groups[&inside],
-                    None => self.given(&mut helper, operand),
+                    None => self.given(&mut helper.graph, &given.places, operand),
                 })
                 .collect();
             let expr = self.operation(&mut helper.graph, group, &operands);
@@ -101,13 +108,8 @@ impl Writer<'_> {
             .copied()
             .filter(|&group| self.calls.is_found[group]);
         let found: Vec<usize> = found.collect();
-        let NewHelper {
-            graph,
-            groups,
-            shared,
-            sides,
-            ..
-        } = helper;
+        let NewHelper { graph, groups } = helper;
+        let Given { shared, sides, .. } = given;
         let helper = Helper {
             lanes: self.groups.lanes(own[0]),
             roots: found.iter().map(|number| groups[number]).collect(),
@@ -154,39 +156,72 @@ impl Writer<'_> {
         }
     }
 
-    /// An operand that a helper is given.
-    fn given(&self, helper: &mut NewHelper, operand: &Operand) -> Expr {
+    /// What a call is given: what all lanes share, and what is of each.
+    fn all_given(&self, call: usize) -> Given {
+        let mut given = Given::default();
+        let mut numbers = Vec::new();
+        let mut known = BTreeSet::new();
+        let own = self.calls.groups[call].iter();
+        let operands = own.flat_map(|&group| &self.groups.all[group].operands);
+        for operand in operands.filter(|operand| self.inside(call, operand).is_none()) {
+            let (row, _) = self.lanes(operand);
+            if self.shared_number(&row).is_some() || !known.insert(row.clone()) {
+                continue;
+            }
+            if is_shared(&row) {
+                let place = Input::Shared(given.shared.len());
+                given.shared.push(row[0]);
+                given.places.insert(row, place);
+            } else if row.iter().all(|&own| self.number(own).is_some()) {
+                numbers.push(row);
+            } else {
+                given.sides.push(row);
+            }
+        }
+        given.sides.extend(numbers);
+        let sides = given.sides.iter().enumerate();
+        let sides = sides.map(|(place, row)| (row.clone(), Input::Side(place)));
+        given.places.extend(sides);
+        given
+    }
+
+    /// An operand in each lane, and whether it is the negative of that: the first lane has no sign.
+    fn lanes(&self, operand: &Operand) -> (Vec<Expr>, bool) {
         let row = self.groups.given(operand).into_iter();
         let row: Vec<Expr> = row.map(|own| self.rebuilt.expr(own)).collect();
         let is_negative = row[0].is_negative();
-        let row: Vec<Expr> = row.into_iter().map(|own| own.signed(is_negative)).collect();
-        let is_shared = row.iter().all(|own| *own == row[0]);
-        if let Node::Number(bits) = self.graph.node(row[0].node())
-            && is_shared
-        {
-            return helper
-                .graph
-                .number(f64::from_bits(bits))
-                .signed(is_negative);
+        let row = row.into_iter().map(|own| own.signed(is_negative));
+        (row.collect(), is_negative)
+    }
+
+    fn number(&self, own: Expr) -> Option<f64> {
+        match self.graph.node(own.node()) {
+            Node::Number(bits) => Some(f64::from_bits(bits)),
+            _ => None,
         }
-        let NewHelper {
-            shared,
-            sides,
-            places,
-            graph,
-            ..
-        } = helper;
-        let input = *places.entry(row.clone()).or_insert_with(|| {
-            if is_shared {
-                shared.push(row[0]);
-                Input::Shared(shared.len() - 1)
-            } else {
-                sides.push(row);
-                Input::Side(sides.len() - 1)
+    }
+
+    /// The number that all lanes share, which a helper has itself.
+    fn shared_number(&self, row: &[Expr]) -> Option<f64> {
+        self.number(row[0]).filter(|_| is_shared(row))
+    }
+
+    /// An operand that a helper is given at one of these places, or that is a number in it.
+    fn given(
+        &self,
+        helper: &mut ExprGraph,
+        places: &BTreeMap<Vec<Expr>, Input>,
+        operand: &Operand,
+    ) -> Expr {
+        let (row, is_negative) = self.lanes(operand);
+        let expr = match self.shared_number(&row) {
+            Some(number) => helper.number(number),
+            None => {
+                helper.enter_like(self.old, operand.nodes[0]);
+                helper.input(places[&row])
             }
-        });
-        graph.enter_like(self.old, operand.nodes[0]);
-        graph.input(input).signed(is_negative)
+        };
+        expr.signed(is_negative)
     }
 
     /// What the first of a group's members does, in a helper.
@@ -207,4 +242,8 @@ impl Writer<'_> {
         helper.name_like(expr, self.old, member);
         expr
     }
+}
+
+fn is_shared(row: &[Expr]) -> bool {
+    row.iter().all(|own| *own == row[0])
 }
