@@ -27,7 +27,7 @@ use crate::cli::{
 ///
 /// Bodies are numbered from 1, places in q and u from 0, as in code. A partition is the block of columns of a partial velocity that
 /// belongs to one body's angles or translations: of N bodies, partition J belongs to the angles of body J, and partition N + J to
-/// its translations.
+/// its translations. The axis of a joint has the components of the body that it moves.
 ///
 /// If the `kane.toml` in the model's folder or the nearest one above lists the model, the options of the first system that does so
 /// with these functions hold, or else of the first; options on the command line override them.
