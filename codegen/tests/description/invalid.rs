@@ -250,6 +250,7 @@ mod urdf_file {
         limit_of_no_range
         limits_in_degrees
         millimetres
+        negative_limits
     }
 
     #[test]
@@ -351,10 +352,8 @@ files! { FILES, description_is_refused:
     name_that_turns_the_writing
     name_with_line_end
     negative_armature
-    negative_friction
     negative_lower_body
     negative_mass
-    negative_velocity_limit
     no_bodies
     no_free_coordinate
     no_keys
