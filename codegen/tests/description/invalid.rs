@@ -151,6 +151,7 @@ mod urdf_file {
         doctype
         empty_file
         file_ends_early
+        git_lfs_pointer
         inertia_is_nan
         inertia_without_components
         inertial_without_inertia
