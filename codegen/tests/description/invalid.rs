@@ -191,6 +191,7 @@ mod urdf_file {
         two_parents
         unknown_joint_type
         unexpanded
+        world_not_declared
         wrong_end_tag
         xyz_too_short
         xyz_with_commas
