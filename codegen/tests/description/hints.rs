@@ -45,3 +45,55 @@ fn negative_limits_and_negative_friction_are_left_out() {
     }
     assert!(mechanics.iter().any(|own| own.range == [-1.0, 1.0]));
 }
+
+#[test]
+fn a_base_of_its_own_is_read_fixed() {
+    let advice = "read it with `--base fixed`";
+    for kind in ["floating", "planar", "prismatic"] {
+        let faults = robot(&of_joint(kind, ""), Base::Free)
+            .unwrap_err()
+            .to_string();
+        assert!(faults.contains(advice), "{kind}: {faults}");
+        assert!(robot(&of_joint(kind, ""), Base::Fixed).is_ok());
+    }
+    let hinge = robot(&of_joint("continuous", ""), Base::Free);
+    let faults = hinge.unwrap_err().to_string();
+    assert!(!faults.contains(advice), "{faults}");
+}
+
+#[test]
+fn joints_that_move_no_mass_together_are_one_list() {
+    let massless = |name: &str| {
+        let body = body(name, "\"revolute\"\naxis = [0.0, 0.0, 1.0]");
+        let body = body.replace("mass = 2.0", "mass = 0.0");
+        let body = body.replace("[0.0, 0.1, 0.3]", "[0.0, 0.0, 0.3]");
+        body + &format!("joint_name = \"{name}_joint\"\n")
+    };
+    let faults = |n: usize, lower: &str| {
+        let mut text = format!("name = \"system\"\nlower_bodies = {lower}\ngravity = [0, 0, 0]\n");
+        for name in &["a", "b", "c"][..n] {
+            text += &massless(name);
+        }
+        let last = text.rfind("mass = 0.0").unwrap();
+        text.replace_range(last..last + "mass = 0.0".len(), "mass = 2.0");
+        let inertia = "inertia = { xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.01, xz = 0.0, yz = 0.0 }";
+        let none = "inertia = { xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0 }";
+        let last = text.rfind(inertia).unwrap();
+        let (head, tail) = text.split_at(last);
+        build(&(head.replace(inertia, none) + tail))
+            .unwrap_err()
+            .to_string()
+    };
+    let two = faults(2, "[0, 1]");
+    assert!(
+        two.contains("a motion of joints `a_joint` and `b_joint` together moves no mass"),
+        "{two}"
+    );
+    let three = faults(3, "[0, 1, 2]");
+    assert!(
+        three.contains(
+            "2 motions of joints `a_joint`, `b_joint` and `c_joint` together move no mass"
+        ),
+        "{three}"
+    );
+}
