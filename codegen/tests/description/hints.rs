@@ -47,6 +47,18 @@ fn negative_limits_and_negative_friction_are_left_out() {
 }
 
 #[test]
+fn the_order_of_a_list_of_rotations_is_told_to_mean_nothing() {
+    let told = |joint: &str| warnings(&build(&system("[0]", &[("a", joint)])).unwrap());
+    let warned = told("[\"theta3\", \"theta1\"]");
+    let words = "`joint` of body `a` lists `theta3` before `theta1`; the order means nothing: rotations are about x, then y, then z";
+    assert!(warned.contains(words), "{warned}");
+    for joint in ["[\"theta1\", \"theta3\"]", "[\"s2\", \"theta1\", \"s1\"]"] {
+        let told = told(joint);
+        assert!(!told.contains("order"), "{told}");
+    }
+}
+
+#[test]
 fn a_base_of_its_own_is_read_fixed() {
     let advice = "read it with `--base fixed`";
     for kind in ["floating", "planar", "prismatic"] {
