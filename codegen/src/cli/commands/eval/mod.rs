@@ -118,12 +118,15 @@ pub(crate) fn run(
     else {
         unreachable!("eval: what is absent left a failure")
     };
-    voice.warn_without_notes(&checked.warnings);
-
     let tree = &checked.tree;
     let function = function
         .on(tree)
-        .map_err(|faults| job.refused_functions(Error::Requests(faults), is_named))?;
+        .map_err(|faults| job.refused_functions(Error::Requests(faults), is_named));
+    let mut warnings = checked.warnings;
+    let asked = function.as_ref().into_iter();
+    warnings.extend(compile::nothing_prescribed(tree, asked));
+    voice.warn_without_notes(&warnings);
+    let function = function?;
     let Some(state) = state.or_else(|| state::of_no_inputs(tree, &function)) else {
         let needs = format!(
             "`{}` needs a state; give one with `--state FILE`",
