@@ -109,3 +109,16 @@ fn joints_that_move_no_mass_together_are_one_list() {
         "{three}"
     );
 }
+
+#[test]
+fn springs_on_quaternions_are_told_what_to_do() {
+    let spring = |joint: &str| {
+        let text = system("[0]", &[("a", joint)]) + "chart = \"quaternion\"\nstiffness = 1.0\n";
+        build(&text).unwrap_err().to_string()
+    };
+    for joint in ["\"spherical\"", "\"free\""] {
+        let told = spring(joint);
+        let advice = "add the moment of a spring on its orientation to `tau`";
+        assert!(told.contains(advice), "{told}");
+    }
+}

@@ -248,10 +248,14 @@ impl Check<'_> {
                 self.name
             );
             let fault = Diagnostic::error(message).at(span, "no spring can act here");
-            let help = self.first_shift().map(|shift| {
-                format!("springs of its translations are named: `{{ {shift} = 100.0 }}`")
-            });
-            self.findings.push(fault.help_if(help));
+            let moment = "add the moment of a spring on its orientation to `tau`";
+            let help = match self.first_shift() {
+                Some(shift) => format!(
+                    "springs of its translations are named: `{{ {shift} = 100.0 }}`; {moment}"
+                ),
+                None => moment.to_owned(),
+            };
+            self.findings.push(fault.help(help));
         }
     }
 
