@@ -1,22 +1,27 @@
 //! What other formats call the keys and joints of ours.
 
 /// Keys of ours, and what they are called elsewhere.
-const KEYS: [(&str, &[&str]); 22] = [
+const KEYS: [(&str, &[&str]); 24] = [
     ("lower_bodies", &["parent", "parents", "parent_bodies"]),
     ("body", &["bodies", "link", "links"]),
     ("mass_center", &["com", "center_of_mass", "ipos"]),
     ("attachment", &["origin", "pos", "xyz"]),
-    ("position", &["origin", "pos", "xyz"]),
+    (
+        "attachment_rotation",
+        &["attachment_rpy", "attachment_euler", "attachment_quat"],
+    ),
+    ("position", &["origin", "pos", "xyz", "attachment"]),
     ("joint", &["joint_type", "type", "joints"]),
     ("armature", &["rotor_inertia"]),
+    ("stiffness", &["spring", "spring_constant"]),
     ("rest", &["springref"]),
     ("friction", &["frictionloss"]),
-    ("xx", &["ixx"]),
-    ("yy", &["iyy"]),
-    ("zz", &["izz"]),
-    ("xy", &["ixy"]),
-    ("xz", &["ixz"]),
-    ("yz", &["iyz"]),
+    ("xx", &["ixx", "Ixx", "I_xx"]),
+    ("yy", &["iyy", "Iyy", "I_yy"]),
+    ("zz", &["izz", "Izz", "I_zz"]),
+    ("xy", &["ixy", "Ixy", "I_xy"]),
+    ("xz", &["ixz", "Ixz", "I_xz"]),
+    ("yz", &["iyz", "Iyz", "I_yz"]),
     ("lower", &["min"]),
     ("upper", &["max"]),
     ("velocity", &["max_velocity", "speed"]),

@@ -302,6 +302,7 @@ files! { FILES, description_is_refused:
     friction_at_run_time
     gravity_is_number
     gravity_too_long
+    incomplete_inertias
     joint_entry_is_number
     joint_is_number
     joint_name_is_number
