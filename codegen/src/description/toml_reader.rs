@@ -403,7 +403,9 @@ fn mistyped(item: &Item<'_>, what: &str, expected: &str) -> Diagnostic {
         DeValue::Table(_) => "a table",
     };
     let fault = Diagnostic::error(format!("{what} is {found}; expected {expected}"));
-    fault.at(span(item), format!("expected {expected}"))
+    fault
+        .at(span(item), format!("expected {expected}"))
+        .help_if(elsewhere::value(what))
 }
 
 /// True where letters follow a number, as a unit would.

@@ -307,6 +307,7 @@ files! { FILES, description_is_refused:
     joint_is_number
     joint_name_is_number
     joints_that_contradict_their_names
+    keys_of_other_places
     less_than_no_mass
     limit_at_run_time
     limits_is_number
