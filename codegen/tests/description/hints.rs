@@ -122,3 +122,16 @@ fn springs_on_quaternions_are_told_what_to_do() {
         assert!(told.contains(advice), "{told}");
     }
 }
+
+#[test]
+fn the_mass_centre_is_no_frame() {
+    let tree = build(&system("[0]", &[("a", "[\"theta1\"]")]))
+        .unwrap()
+        .tree;
+    for center in ["com", "center_of_mass", "CenterOfMass"] {
+        let request = Parsed::read(&format!("jacobian({center})")).unwrap();
+        let faults = request.on(&tree).unwrap_err();
+        let told = Error::Requests(faults).to_string();
+        assert!(told.contains("`center_of_mass_jacobian`"), "{told}");
+    }
+}
