@@ -203,6 +203,7 @@ mod urdf_file {
         robot_with_empty_name
         limit_of_a_planar_joint
         limit_without_range
+        mimic_by_a_fixed_joint
         missing_limit
         repeated_elements
         rpy_in_degrees
