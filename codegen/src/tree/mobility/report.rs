@@ -103,7 +103,7 @@ fn without_mass(description: &Description) -> Diagnostic {
         "nothing that moves has a mass or an inertia, so forces would move nothing",
     );
     let fault = match &description.name {
-        Some(name) => fault.at(name.span, "no mass in all of this system"),
+        Some(name) => fault.at(name.span, "no mass moves in this system"),
         None => fault,
     };
     fault.help(
