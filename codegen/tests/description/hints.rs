@@ -124,6 +124,16 @@ fn springs_on_quaternions_are_told_what_to_do() {
 }
 
 #[test]
+fn a_model_without_gravity_is_told_how_to_mean_it() {
+    let text = system("[0]", &[("a", "[\"theta1\"]")]);
+    let none = "gravity = [0, 0, 0]\n";
+    assert!(!warnings(&build(&text).unwrap()).contains("gravity"));
+    let told = warnings(&build(&text.replace(none, "")).unwrap());
+    let advice = "or `gravity = [0.0, 0.0, 0.0]` if that is meant";
+    assert!(told.contains(advice), "{told}");
+}
+
+#[test]
 fn the_mass_centre_is_no_frame() {
     let tree = build(&system("[0]", &[("a", "[\"theta1\"]")]))
         .unwrap()
