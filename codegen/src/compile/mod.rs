@@ -25,6 +25,7 @@ pub(crate) use option_check::check as check_options;
 pub use planned::{Planned, by_plan, cost, emitted, operations};
 pub use plans::Plans;
 pub use size_check::check as check_size;
+pub use warnings::nothing_prescribed;
 pub(crate) use warnings::warnings;
 
 use pipeline::Lowering;

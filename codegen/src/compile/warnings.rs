@@ -1,13 +1,14 @@
 //! What can be asked for in vain.
 
 use super::Compiled;
-use crate::{diagnostic::Diagnostic, tree::Tree};
+use crate::{diagnostic::Diagnostic, functions::Request, tree::Tree};
 
 /// What has no entries, and what changes nothing.
 pub(crate) fn warnings(tree: &Tree, compiled: &Compiled) -> Vec<Diagnostic> {
     let mut warnings = without_columns(tree, compiled);
     warnings.extend(without_effect(tree, compiled));
-    warnings.extend(nothing_prescribed(tree, compiled));
+    let requests = compiled.functions.iter().map(|one| &one.request);
+    warnings.extend(nothing_prescribed(tree, requests));
     warnings
 }
 
@@ -23,9 +24,11 @@ fn without_effect(tree: &Tree, compiled: &Compiled) -> Option<Diagnostic> {
 }
 
 /// A warning if accelerations of some speeds can be given, and no speed is prescribed.
-fn nothing_prescribed(tree: &Tree, compiled: &Compiled) -> Option<Diagnostic> {
-    let mut functions = compiled.functions.iter();
-    let asks = functions.any(|one| one.request.prescribes());
+pub fn nothing_prescribed<'r>(
+    tree: &Tree,
+    requests: impl IntoIterator<Item = &'r Request>,
+) -> Option<Diagnostic> {
+    let asks = requests.into_iter().any(Request::prescribes);
     (asks && tree.prescribed.is_empty()).then(|| {
         Diagnostic::warning("`hybrid_dynamics` is forward dynamics: no joint is prescribed")
             .help("write `prescribed = [\"joint\"]` in kane.toml, or `--prescribed joint`")

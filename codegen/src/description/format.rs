@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::description::reading::{Include, Reading};
 use crate::description::size::too_large;
-use crate::description::{Description, mjcf, toml, urdf};
+use crate::description::{Description, lfs, mjcf, toml, urdf};
 use crate::diagnostic::{Diagnostic, Source};
 
 /// The formats.
@@ -91,7 +91,10 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
             );
             return Description::none(source, vec![Diagnostic::error(fault)]);
         }
-        (Format::Toml, _) => toml::parse(source),
+        (Format::Toml, _) => match lfs::pointer(source.text(), 0) {
+            Some(fault) => return Description::none(source, vec![fault]),
+            None => toml::parse(source),
+        },
     };
     // What the model says itself is not asked for a second time.
     let [base, chart, left_out] = format.says_itself();

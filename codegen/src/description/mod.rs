@@ -23,6 +23,7 @@ pub mod urdf;
 
 pub(crate) mod cycles;
 mod elsewhere;
+pub(crate) mod lfs;
 mod mesh;
 pub(crate) mod toml_reader;
 pub(crate) mod xml;

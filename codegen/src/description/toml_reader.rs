@@ -257,6 +257,17 @@ impl Reader {
         item
     }
 
+    /// Reports which of these keys are not there, all in one; `help` is what to do.
+    pub(crate) fn complete(&mut self, table: &Table<'_, '_>, keys: &[&str], help: &str) {
+        let is_missing = |key: &&str| table.get(key).is_none() && !table.is_misspelt(key);
+        let missing: Vec<&str> = keys.iter().copied().filter(is_missing).collect();
+        if let (false, Some(span)) = (missing.is_empty(), table.span) {
+            let message = format!("{} lacks {}", table.owner, backquoted(&missing));
+            let fault = Diagnostic::error(message).at(span, "incomplete");
+            self.faults.push(fault.help(help));
+        }
+    }
+
     /// A value that must be a string.
     pub(crate) fn string(&mut self, item: &Item<'_>, what: &str) -> Option<Spanned<String>> {
         if let DeValue::String(text) = item.get_ref() {
@@ -392,7 +403,9 @@ fn mistyped(item: &Item<'_>, what: &str, expected: &str) -> Diagnostic {
         DeValue::Table(_) => "a table",
     };
     let fault = Diagnostic::error(format!("{what} is {found}; expected {expected}"));
-    fault.at(span(item), format!("expected {expected}"))
+    fault
+        .at(span(item), format!("expected {expected}"))
+        .help_if(elsewhere::value(what))
 }
 
 /// True where letters follow a number, as a unit would.

@@ -98,13 +98,15 @@ fn what_the_function_does_not_need_may_be_absent() {
     assert_eq!(arm("rotation", r#"{"q": [0, 0, 0]}"#).code, 0);
     let ran = arm("inverse_dynamics", r#"{"q": [0, 0, 0]}"#);
     assert_eq!(ran.code, 2);
-    insta::assert_snapshot!(ran.err, @"
+    insta::assert_snapshot!(ran.err, @r#"
     error: `inverse_dynamics` needs `u`, which is missing; expected a list of 3 numbers, one a speed
     --> state.json
+     = help: `"u": {}` means that all are zero
 
     error: `inverse_dynamics` needs `u_dot`, which is missing; expected a list of 3 numbers, one a speed
     --> state.json
-    ");
+     = help: `"u_dot": {}` means that all are zero
+    "#);
 }
 
 #[test]
@@ -279,3 +281,53 @@ const FOLLOWER: &str = "<robot name=\"gripper\"><link name=\"base\"/>
     <joint name=\"right\" type=\"continuous\"><parent link=\"base\"/><child link=\"two\"/><axis xyz=\"0 1 0\"/><mimic joint=\"left\"/></joint>
     <joint name=\"mount\" type=\"fixed\"><parent link=\"one\"/><child link=\"tool\"/></joint>
     </robot>";
+
+#[test]
+fn what_is_locked_or_removed_is_told_as_such() {
+    let project = Project::empty();
+    project.write("arm.toml", &model("arm", "2.0"));
+    project.write("state.json", r#"{"q": {"fore_theta2": 1}}"#);
+    let told = |change: &[&str]| {
+        let asked = ["eval", "arm.toml", "--function", "potential_energy"];
+        let ran = project.kane(&[&asked[..], &["--state", "state.json"], change].concat());
+        assert_eq!(ran.code, 2);
+        ran.err
+    };
+    let locked = told(&["--lock", "fore_theta2=0.3"]);
+    assert!(locked.contains("`lock` holds it at 0.3"), "{locked}");
+    project.write("state.json", r#"{"q": {"fore": 1}}"#);
+    let removed = told(&["--remove", "fore"]);
+    assert!(removed.contains("`remove` fixes it at zero"), "{removed}");
+}
+
+#[test]
+fn what_is_missing_can_be_all_zero() {
+    let needs = arm("loaded_inverse_dynamics", "{}");
+    let names = ["q", "u", "u_dot", "loads"];
+    for name in names {
+        let help = format!("= help: `\"{name}\": {{}}` means that all are zero\n");
+        assert!((needs.err.clone() + "\n").contains(&help), "{}", needs.err);
+    }
+    let empty = names.map(|name| format!("\"{name}\": {{}}")).join(", ");
+    let ran = arm("loaded_inverse_dynamics", &format!("{{{empty}}}"));
+    assert_eq!(ran.code, 0, "{}", ran.err);
+}
+
+#[test]
+fn several_functions_are_joined_by_a_plus() {
+    let project = Project::empty();
+    project.write("arm.toml", &model("arm", "2.0"));
+    for asked in [
+        &["-f", "bias,mass_matrix"][..],
+        &["-f", "bias", "-f", "mass_matrix"],
+    ] {
+        let ran = project.kane(&[&["eval", "arm.toml"], asked].concat());
+        assert_eq!(ran.code, 2);
+        insta::allow_duplicates! {
+            insta::assert_snapshot!(ran.err, @"error: 2 functions are asked for; join them with `+`: `bias+mass_matrix`");
+        }
+    }
+    // Commas in brackets separate none.
+    let ran = arm("d(bias)/d(q,u)", r#"{"q": {}, "u": {}}"#);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+}

@@ -424,6 +424,19 @@ fn nothing_prescribed_is_told_of_hybrid_dynamics() {
     let told =
         "warning: models/arm.toml: `hybrid_dynamics` is forward dynamics: no joint is prescribed";
     assert!(ran.err.contains(told), "{}", ran.err);
+    project.write(
+        "state.json",
+        "{\"q\": {}, \"u\": {}, \"u_dot\": {}, \"tau\": {}}",
+    );
+    let asked = |function| {
+        let options = ["--function", function, "--state", "state.json"];
+        project.kane(&[&["eval", "models/arm.toml"][..], &options].concat())
+    };
+    let ran = asked("hybrid_dynamics");
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert!(ran.err.contains(told), "{}", ran.err);
+    let ran = asked("forward_dynamics");
+    assert!(!ran.err.contains("prescribed"), "{}", ran.err);
 }
 
 #[test]

@@ -30,7 +30,35 @@ fn names_of_other_tools_lead_to_ours() {
         Parsed::read(request).expect("a request");
         assert!(Parsed::read(name).is_err(), "{name} is ours");
     }
+    for (name, request) in [
+        ("attitude", "pose(FRAME)"),
+        ("dcm", "pose(FRAME)"),
+        ("constraint_forces", "joint_wrenches"),
+        ("joint_forces", "joint_wrenches"),
+        ("hinge_torque", "inverse_dynamics"),
+        ("stiffness_matrix", "d(bias)/d(q)"),
+        ("damping_matrix", "d(bias)/d(u)"),
+    ] {
+        assert_eq!(elsewhere(name), Some(request));
+    }
     assert_eq!(elsewhere("jerk"), None);
+}
+
+#[test]
+fn words_of_textbooks_are_met_with_what_makes_them() {
+    for (name, ours) in [
+        ("generalized_active_forces", "generalized_forces"),
+        ("generalized_inertia_forces", "inverse_dynamics"),
+        ("inertia_tensor", "inertial_parameters"),
+        ("composite_inertia", "mass_matrix"),
+        ("lagrangian", "kinetic_energy+potential_energy"),
+        ("power", "generalized_forces"),
+    ] {
+        let said = advice(name);
+        assert!(said.contains(&format!("`{ours}`")), "{name}: {said}");
+        Parsed::read(ours).expect("a request");
+        assert!(Parsed::read(name).is_err(), "{name} is ours");
+    }
 }
 
 #[test]

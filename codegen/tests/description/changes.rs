@@ -212,3 +212,20 @@ fn a_joint_that_is_fixed_is_removed_in_vain() {
         .to_string();
     assert!(told.contains("is fixed already"), "{told}");
 }
+
+#[test]
+fn a_quaternion_is_told_to_be_removed_where_it_cannot_be_locked() {
+    let hinge = "joint = [\"theta1\"]";
+    for joint in ["spherical", "free"] {
+        let turning = format!("joint = \"{joint}\"\nchart = \"quaternion\"");
+        let faults = changed([&turning, hinge, hinge], &lock("a", 0.1)).unwrap_err();
+        let advice = "a quaternion cannot be locked: `--remove a`, or `remove` in `kane.toml`, fixes the joint at zero";
+        assert!(faults.contains(advice), "{faults}");
+    }
+    let faults = changed(
+        ["joint = [\"theta1\", \"theta2\"]", hinge, hinge],
+        &lock("a", 0.1),
+    );
+    let faults = faults.unwrap_err();
+    assert!(!faults.contains("cannot be locked"), "{faults}");
+}

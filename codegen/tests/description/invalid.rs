@@ -151,6 +151,7 @@ mod urdf_file {
         doctype
         empty_file
         file_ends_early
+        git_lfs_pointer
         inertia_is_nan
         inertia_without_components
         inertial_without_inertia
@@ -190,6 +191,7 @@ mod urdf_file {
         two_parents
         unknown_joint_type
         unexpanded
+        world_not_declared
         wrong_end_tag
         xyz_too_short
         xyz_with_commas
@@ -201,6 +203,7 @@ mod urdf_file {
         robot_with_empty_name
         limit_of_a_planar_joint
         limit_without_range
+        mimic_by_a_fixed_joint
         missing_limit
         repeated_elements
         rpy_in_degrees
@@ -250,6 +253,7 @@ mod urdf_file {
         limit_of_no_range
         limits_in_degrees
         millimetres
+        negative_limits
     }
 
     #[test]
@@ -299,10 +303,12 @@ files! { FILES, description_is_refused:
     friction_at_run_time
     gravity_is_number
     gravity_too_long
+    incomplete_inertias
     joint_entry_is_number
     joint_is_number
     joint_name_is_number
     joints_that_contradict_their_names
+    keys_of_other_places
     less_than_no_mass
     limit_at_run_time
     limits_is_number
@@ -351,10 +357,8 @@ files! { FILES, description_is_refused:
     name_that_turns_the_writing
     name_with_line_end
     negative_armature
-    negative_friction
     negative_lower_body
     negative_mass
-    negative_velocity_limit
     no_bodies
     no_free_coordinate
     no_keys

@@ -90,7 +90,9 @@ files! {
     overflow
     overflow_beside_masses
     own_parts
+    plane_that_moves
     polynomial_damping
+    pos_beside_fromto
     quaternion_is_zero
     range_reversed
     range_without_limited

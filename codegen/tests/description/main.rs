@@ -4,6 +4,7 @@ mod changes;
 mod config;
 mod converted;
 mod diagnostic;
+mod hints;
 mod invalid;
 mod invalid_mjcf;
 mod listed;

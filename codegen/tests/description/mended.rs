@@ -173,6 +173,26 @@ fn nested_include_is_looked_for_beside_the_main_file_and_then_beside_the_one_tha
 }
 
 #[test]
+fn a_model_that_git_lfs_has_not_fetched_is_told_as_such() {
+    let pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:656b\nsize 2197848\n";
+    for name in ["robot.toml", "robot.urdf", "robot.xml"] {
+        let source = Source::new(name, pointer);
+        let none = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+        let faults = description::read(&source, &Reading::default(), &none).faults;
+        let messages: Vec<&str> = faults.iter().map(|fault| fault.message.as_str()).collect();
+        assert_eq!(
+            messages,
+            ["this is a Git LFS pointer, not the file"],
+            "{name}"
+        );
+        assert_eq!(faults[0].help.as_deref(), Some("run `git lfs pull`"));
+    }
+    let text = "<mujoco><include file=\"one.xml\"/></mujoco>";
+    let faults = parse(text, &[("one.xml", pointer)]).faults;
+    assert_eq!(faults[0].message, "this is a Git LFS pointer, not the file");
+}
+
+#[test]
 fn xml_under_another_ending_is_told_which_endings_there_are() {
     let faults_of = |name: &str, text: &str| {
         let source = Source::new(name, text);

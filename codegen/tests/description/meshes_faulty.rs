@@ -98,6 +98,19 @@ fn broken_stl() {
 }
 
 #[test]
+fn pointers_of_git_lfs_are_told_as_such() {
+    let pointer = b"version https://git-lfs.github.com/spec/v1\noid sha256:656b\nsize 2197848\n";
+    for name in ["m.stl", "m.obj", "m.msh"] {
+        let told = of_file(name, pointer);
+        assert!(
+            told.contains("is a Git LFS pointer, not the file"),
+            "{told}"
+        );
+        assert!(told.contains("\n  run `git lfs pull`"), "{told}");
+    }
+}
+
+#[test]
 fn broken_stl_that_is_text() {
     let triangle = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\n";
     let told = [

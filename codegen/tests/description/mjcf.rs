@@ -387,6 +387,15 @@ fn numbers_of_copies_have_as_many_digits_as_their_count() {
 }
 
 #[test]
+fn a_replicate_may_have_no_copies() {
+    let model = read(
+        "<mujoco><worldbody><replicate count=\"0\"><body><joint/><geom size=\"1\"/></body></replicate>
+  <body name=\"only\"><joint/><geom size=\"1\"/></body></worldbody></mujoco>",
+    );
+    assert_eq!(model.bodies.len(), 1);
+}
+
+#[test]
 fn names_of_copies_grow_no_longer_than_names_may_be() {
     let long = "p".repeat(300);
     let attach = format!(

@@ -1,5 +1,6 @@
 //! Which of the formats a mesh file has.
 
+use crate::description::lfs;
 use crate::description::mesh::effort::Effort;
 use crate::description::mesh::fault::Fault;
 use crate::description::mesh::surface::Surface;
@@ -38,6 +39,9 @@ impl Format {
     pub(crate) fn read(self, bytes: &[u8], effort: &mut Effort) -> Result<Surface, Fault> {
         if bytes.is_empty() {
             return Err(Fault::new("is empty"));
+        }
+        if lfs::is_pointer(bytes) {
+            return Err(Fault::new(lfs::FOUND).help(lfs::ADVICE));
         }
         match self {
             Self::Stl => stl::read(bytes),

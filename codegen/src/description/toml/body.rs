@@ -75,8 +75,13 @@ fn inertia(reader: &mut Reader, item: &Item<'_>, what: &str) -> [Given<Scalar>; 
     let Some(table) = reader.table_such_as(item, what, &INERTIA_COMPONENTS, INERTIA) else {
         return [None; 6];
     };
+    reader.complete(
+        &table,
+        &INERTIA_COMPONENTS,
+        "write 0.0 for those that are zero",
+    );
     INERTIA_COMPONENTS.map(|component| {
-        let item = reader.required(&table, component, &format!("{component} = 0.0"))?;
+        let item = table.get(component)?;
         value::scalar(reader, item, &table.what(component))
     })
 }

@@ -47,7 +47,7 @@ fn read(reader: &mut Reader, document: &::toml::de::DeTable<'_>, source: &Source
         let note = note.at(name.span, "no gravity");
         reader
             .faults
-            .push(note.help("write for example `gravity = [0.0, 0.0, -9.81]`"));
+            .push(note.help("write for example `gravity = [0.0, 0.0, -9.81]`, or `gravity = [0.0, 0.0, 0.0]` if that is meant"));
     }
     let gravity = gravity.map_or_else(no_gravity, |item| value::vector(reader, item, "`gravity`"));
     let lower = reader.required(&root, "lower_bodies", "lower_bodies = [0, 1, 1]");

@@ -79,7 +79,12 @@ fn read_motion(
     let has_axis = what.is_none_or(JointKind::has_axis);
     let axis = has_axis.then(|| axis(reader, element, words)).flatten();
     let moves = what != Some(&JointKind::Fixed);
-    let mimic = moves.then(|| mimic(reader, element, words)).flatten();
+    let mimic = if moves {
+        mimic(reader, element, words)
+    } else {
+        warn_of_mimic(reader, element, words);
+        None
+    };
     let dynamics = if moves {
         dynamics(reader, element, words)
     } else {
@@ -263,6 +268,17 @@ fn dynamics(reader: &mut Reader, joint: Element<'_>, words: &str) -> Dynamics {
     Dynamics {
         damping: damping.map_or(PerCoordinate::Absent, PerCoordinate::Same),
         friction: friction.map_or(PerCoordinate::Absent, PerCoordinate::Same),
+    }
+}
+
+/// A fixed joint follows none.
+fn warn_of_mimic(reader: &mut Reader, joint: Element<'_>, words: &str) {
+    if let Some(element) = reader.child(joint, words, "mimic") {
+        let message = format!("`mimic` of {words} is left out: the joint is fixed");
+        let warning = Diagnostic::warning(message)
+            .at(element.span(), "ignored")
+            .one_of("`mimic`s of fixed joints are left out", words);
+        reader.faults.push(warning);
     }
 }
 

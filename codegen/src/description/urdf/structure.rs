@@ -15,6 +15,9 @@ use crate::diagnostic::{Diagnostic, NearNames, Spanned, shown};
 /// The most links of a cycle, or roots, that a message names.
 const MOST_NAMED: usize = 8;
 
+/// The link that some readers know without its being declared.
+const WORLD: &str = "world";
+
 /// How the links hang from one another.
 pub(super) struct Hung {
     /// Of each link the place of the joint by which it hangs; `None` for a root.
@@ -128,7 +131,9 @@ impl<'d> Ends<'d> {
                 joint.words
             );
             let mut fault = Diagnostic::error(fault).at(name.span, "unknown link");
-            if let Some(near) = self.near.nearest(name.value, self.places.keys().copied()) {
+            if name.value == WORLD && end == "parent" {
+                fault = fault.help(format!("add `<link name=\"{WORLD}\"/>`"));
+            } else if let Some(near) = self.near.nearest(name.value, self.places.keys().copied()) {
                 fault = fault.help(format!("did you mean `{near}`?"));
             }
             reader.faults.push(fault);

@@ -2,6 +2,7 @@
 
 use roxmltree::{Node, ParsingOptions};
 
+use crate::description::lfs;
 use crate::description::xml::malformed::malformed;
 use crate::description::xml::markup;
 use crate::description::xml::mend::Mended;
@@ -28,6 +29,9 @@ pub(crate) struct Element<'d> {
 impl<'t> Document<'t> {
     /// Reads a file whose first byte has the place `base`.
     pub(crate) fn parse(mended: &'t Mended<'t>, base: usize) -> Result<Self, Diagnostic> {
+        if let Some(fault) = lfs::pointer(mended.written, base) {
+            return Err(fault);
+        }
         markup::check(mended.written).map_err(|fault| fault.moved(base))?;
         let text = &*mended.text;
         let options = ParsingOptions {

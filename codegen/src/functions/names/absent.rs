@@ -1,7 +1,7 @@
 //! Words that users look for and that name no function and no frame.
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 25] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 31] = [
     (
         "`jacobian(FRAME)` is about the frame's origin, along inertial axes; none is about the inertial origin",
         &["spatialjacobian"],
@@ -126,6 +126,30 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 25] = [
     (
         "a mass, a mass centre or an inertia that changes is `{ runtime = .. }` in the model",
         &["payload"],
+    ),
+    (
+        "they are `tau` and `generalized_forces`, less `gravity_forces` and the forces of springs and dampers",
+        &["generalizedactiveforces", "activeforces"],
+    ),
+    (
+        "they are minus `inverse_dynamics`, without its gravity, springs and dampers",
+        &["generalizedinertiaforces", "inertiaforces"],
+    ),
+    (
+        "`inertial_parameters` writes the tensors of bodies, and `mass_matrix` the inertia of joints",
+        &["inertiatensor"],
+    ),
+    (
+        "of all that a free base carries it is the block of `mass_matrix` at the base's speeds, about its origin",
+        &["compositeinertia"],
+    ),
+    (
+        "it is `kinetic_energy` less `potential_energy`; `kinetic_energy+potential_energy` writes both",
+        &["lagrangian"],
+    ),
+    (
+        "it is the scalar product of forces, such as `tau` or `generalized_forces`, and `u`",
+        &["power"],
     ),
 ];
 

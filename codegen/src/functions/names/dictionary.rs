@@ -176,6 +176,10 @@ pub(in crate::functions) fn advice_on_frame(name: &str) -> Option<String> {
         "world" | "universe" | "global" | "inertial" | "ground" => Some(
             "leave it out: what is asked of a frame is relative to the inertial frame".to_owned(),
         ),
+        word if with_center_of_mass(word) == "centerofmass" => Some(
+            "of the mass centre of all bodies there are `center_of_mass`, `center_of_mass_velocity` and `center_of_mass_jacobian`"
+                .to_owned(),
+        ),
         _ if Variable::find(None, name).is_some() || Function::find(name).is_some() => {
             Some("derivatives are written `d(F)/d(X)`".to_owned())
         }

@@ -2,7 +2,7 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, what to say beside them, and other names of the same, or of what differs as that says.
-pub(super) const REQUESTS: [(&str, &str, &[&str]); 67] = [
+pub(super) const REQUESTS: [(&str, &str, &[&str]); 70] = [
     (
         "inverse_dynamics",
         "",
@@ -11,7 +11,7 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 67] = [
     (
         "inverse_dynamics",
         "in which springs and dampers of joints act",
-        &["rnea"],
+        &["rnea", "hingetorque", "jointtorque"],
     ),
     (
         "mass_matrix",
@@ -117,6 +117,11 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 67] = [
             "bodyworldorientation",
             "relativetransform",
         ],
+    ),
+    (
+        "pose(FRAME)",
+        "whose `rotation` it is",
+        &["attitude", "dcm"],
     ),
     (
         "position(FRAME)",
@@ -373,6 +378,8 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 67] = [
             "reactions",
             "reactionforces",
             "jointreactions",
+            "jointforces",
+            "constraintforces",
         ],
     ),
     (
@@ -411,6 +418,8 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 67] = [
         &["abaderivatives"],
     ),
     ("loaded_inverse_dynamics", "at rest", &["statictorque"]),
+    ("d(bias)/d(q)", "at rest", &["stiffnessmatrix"]),
+    ("d(bias)/d(u)", "", &["dampingmatrix"]),
     (
         "d(gravity_forces)/d(q)",
         "",

@@ -241,12 +241,13 @@ fn meant(
                 let own = free.iter().filter(|known| known.motion.0 == body);
                 let own: Vec<&str> = own.map(|known| known.name.as_str()).collect();
                 let is_fixed = joints[body].free().next().is_none();
-                fault.help(match &own[..] {
+                let help = match &own[..] {
                     [] if is_fixed => "that joint is fixed".to_owned(),
-                    [] => "no coordinate of that joint can be held at a value; `remove` fixes it at zero".to_owned(),
+                    [] => "no coordinate of that joint can be held at a value".to_owned(),
                     [one] => format!("the coordinate of that joint is {one}"),
                     several => format!("the coordinates of that joint are {}", several.join(", ")),
-                })
+                };
+                fault.help(help + &of_quaternion(&joints[body], name))
             }
         });
     };
@@ -262,6 +263,22 @@ fn meant(
             Err(Diagnostic::error(fault).of_entry(Changes::LOCK, name))
         }
     }
+}
+
+/// What to do with an orientation, as it stands after other advice; nothing where there is none that turns freely.
+fn of_quaternion(joint: &ResolvedJoint, name: &str) -> String {
+    if !joint.has_angular_velocity() {
+        return String::new();
+    }
+    let orientation = match joint.chart {
+        Chart::Quaternion => "a quaternion",
+        Chart::Angles => "an orientation with an angular velocity",
+    };
+    format!(
+        "; {orientation} cannot be locked: `--remove {}`, or `{}` in `kane.toml`, fixes the joint at zero",
+        name.escaped(),
+        Changes::REMOVE
+    )
 }
 
 /// The bodies whose joints are removed by these names.

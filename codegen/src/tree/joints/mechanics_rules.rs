@@ -46,8 +46,8 @@ pub(super) fn mechanics(
         "joints whose springs push away from rest",
     );
     check.rests(&written.rest, &written.stiffness);
-    check.not_negative("armature", &written.armature, |value| value.nominal());
-    check.not_negative("friction", &written.friction, |value| *value);
+    check.negative_armature(&written.armature);
+    check.negative_friction(&written.friction);
     check.springs(&written.stiffness);
     check.springs(&written.rest);
     check.isotropic_armature(&written.armature);
@@ -157,21 +157,32 @@ impl Check<'_> {
         }
     }
 
-    fn not_negative<T>(
-        &mut self,
-        quantity: &str,
-        quantities: &PerCoordinate<T>,
-        number: impl Fn(&T) -> f64,
-    ) {
-        for value in values(quantities) {
-            let found = number(&value.value);
+    fn negative_armature(&mut self, armature: &PerCoordinate<Scalar>) {
+        for value in values(armature) {
+            let found = value.value.nominal();
             if found < 0.0 {
                 let message = format!(
-                    "`{quantity}` of {} is {found:?}; expected zero or more",
+                    "`armature` of {} is {found:?}; expected zero or more",
                     self.name
                 );
                 self.fault(message, value.span, "negative");
             }
+        }
+    }
+
+    /// Warns of friction that pushes: it is in no equation.
+    fn negative_friction(&mut self, friction: &PerCoordinate<f64>) {
+        for value in values(friction)
+            .into_iter()
+            .filter(|value| value.value < 0.0)
+        {
+            let message = format!(
+                "`friction` of {} is {:?}; it is left out",
+                self.name, value.value
+            );
+            let warning = Diagnostic::warning(message).at(value.span, "negative");
+            let warning = warning.one_of("negative frictions are left out", self.called);
+            self.findings.push(warning);
         }
     }
 
@@ -237,10 +248,14 @@ impl Check<'_> {
                 self.name
             );
             let fault = Diagnostic::error(message).at(span, "no spring can act here");
-            let help = self.first_shift().map(|shift| {
-                format!("springs of its translations are named: `{{ {shift} = 100.0 }}`")
-            });
-            self.findings.push(fault.help_if(help));
+            let moment = "add the moment of a spring on its orientation to `tau`";
+            let help = match self.first_shift() {
+                Some(shift) => format!(
+                    "springs of its translations are named: `{{ {shift} = 100.0 }}`; {moment}"
+                ),
+                None => moment.to_owned(),
+            };
+            self.findings.push(fault.help(help));
         }
     }
 
@@ -329,10 +344,12 @@ impl Check<'_> {
         for (what, limit) in [("velocity", limits.velocity), ("effort", limits.effort)] {
             if let Some(limit) = limit.filter(|limit| limit.value < 0.0) {
                 let message = format!(
-                    "the `{what}` limit of {} is {:?}; expected zero or more",
+                    "the `{what}` limit of {} is {:?}; it is left out",
                     self.name, limit.value
                 );
-                self.fault(message, limit.span, "negative");
+                let warning = Diagnostic::warning(message).at(limit.span, "negative");
+                let all = format!("negative limits of {what} are left out");
+                self.findings.push(warning.one_of(all, self.called));
             }
         }
     }

@@ -103,7 +103,7 @@ fn without_mass(description: &Description) -> Diagnostic {
         "nothing that moves has a mass or an inertia, so forces would move nothing",
     );
     let fault = match &description.name {
-        Some(name) => fault.at(name.span, "no mass in all of this system"),
+        Some(name) => fault.at(name.span, "no mass moves in this system"),
         None => fault,
     };
     fault.help(
@@ -236,6 +236,11 @@ fn together(tree: &Tree, description: &Description, group: &Group) -> Diagnostic
         if *n_motions == 1 { "its" } else { "their" },
         if *n_motions == 1 { "" } else { "s" },
     );
+    let help = if has_own_base(tree, description, coordinates) {
+        format!("the model has a base of its own: read it with `--base fixed`; or {help}")
+    } else {
+        help
+    };
     let label = "moves no mass with the others";
     at_joints(tree, description, coordinates, fault, label).help(help)
 }
@@ -285,9 +290,43 @@ fn named(
         groups.push(format!("{at_least}{} more", motion.len() - MOST_NAMED));
     }
     match join {
-        Join::With => groups.join(" together with "),
+        Join::With => together_in_words(&groups),
         Join::And => and(&groups),
     }
+}
+
+/// "a", "a together with b", "a, b and c together"; of joints alone "joints `a` and `b` together".
+fn together_in_words(groups: &[String]) -> String {
+    let joints: Option<Vec<String>> = groups
+        .iter()
+        .map(|group| group.strip_prefix("joint ").map(str::to_owned))
+        .collect();
+    match (joints, groups) {
+        (_, [] | [_]) => groups.concat(),
+        (Some(joints), _) => format!("joints {} together", and(&joints)),
+        (None, [first, second]) => format!("{first} together with {second}"),
+        (None, _) => format!("{} together", and(groups)),
+    }
+}
+
+/// True where the model has its own base, and the user gave it another: what moves in vain is the joint that no file has, and
+/// a joint such as bases have.
+fn has_own_base(tree: &Tree, description: &Description, motion: &Combination) -> bool {
+    let bodies = motion.iter().map(|(body, _)| user_place(tree, *body));
+    let bodies = bodies.map(|place| &description.bodies[place]);
+    let joints = bodies.filter_map(|body| Some((&body.name, body.joint.kind.as_ref()?)));
+    // A joint that no file has stands at the name of its link.
+    let (given, others): (Vec<_>, Vec<_>) = joints.partition(|(name, kind)| {
+        let name = name.as_ref().map(|name| name.span);
+        kind.value == JointKind::Free && name == Some(kind.span)
+    });
+    let is_of_base = |kind: &JointKind| {
+        matches!(
+            kind,
+            JointKind::Free | JointKind::Planar | JointKind::Prismatic
+        )
+    };
+    !given.is_empty() && others.iter().any(|(_, kind)| is_of_base(&kind.value))
 }
 
 fn at_joints(

@@ -1,6 +1,7 @@
 //! Springs, dampers, rotors, friction and limits: from quantities as written to those of each motion.
 
 use crate::description::{PerCoordinate, Scalar, WrittenJoint};
+use crate::diagnostic::Spanned;
 use crate::id::BodyId;
 use crate::tree::joints::{Freedom, ResolvedJoint};
 use crate::tree::mechanics::Mechanics;
@@ -65,6 +66,11 @@ pub(super) fn of(
     let rest = reader.values("rest", &written.rest, &REST);
     let damping = reader.values("damping", &written.damping, &DAMPING);
     let armature = reader.values("armature", &written.armature, &ARMATURE);
+    // What is negative is left out.
+    let bound = |limit: Option<Spanned<f64>>| {
+        let limit = limit.filter(|limit| limit.value >= 0.0);
+        limit.map_or(f64::INFINITY, |limit| limit.value)
+    };
     std::array::from_fn(|motion| {
         let limits = written.limits.at(motion).unwrap_or_default();
         Mechanics {
@@ -72,13 +78,13 @@ pub(super) fn of(
             rest: rest[motion],
             damping: damping[motion],
             armature: armature[motion],
-            friction: written.friction.at(motion).unwrap_or(0.0),
+            friction: written.friction.at(motion).unwrap_or(0.0).max(0.0),
             range: [
                 limits.lower.map_or(f64::NEG_INFINITY, |limit| limit.value),
                 limits.upper.map_or(f64::INFINITY, |limit| limit.value),
             ],
-            velocity: limits.velocity.map_or(f64::INFINITY, |limit| limit.value),
-            effort: limits.effort.map_or(f64::INFINITY, |limit| limit.value),
+            velocity: bound(limits.velocity),
+            effort: bound(limits.effort),
         }
     })
 }

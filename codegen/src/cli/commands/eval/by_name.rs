@@ -3,7 +3,7 @@
 use kane_codegen::{
     diagnostic::Escaped,
     functions::{Argument, Dimension},
-    tree::{Joint, Tree},
+    tree::{Changes, Joint, Tree},
 };
 
 /// What the places of an argument's outer list are called.
@@ -94,6 +94,16 @@ fn coordinates(joint: &Joint) -> Vec<usize> {
 fn speeds(joint: &Joint) -> Vec<usize> {
     let all = joint.speeds().into_iter();
     all.map(|(_, own)| own.index()).collect()
+}
+
+/// What holds a coordinate or a joint of this name.
+pub(super) fn held(changes: &Changes, name: &str) -> Option<String> {
+    let mut locked = changes.lock.iter();
+    let value = locked.find(|(own, _)| own == name).map(|(_, value)| value);
+    let is_removed = changes.remove.iter().any(|own| own == name);
+    value
+        .map(|value| format!("`{}` holds it at {value:?}", Changes::LOCK))
+        .or_else(|| is_removed.then(|| format!("`{}` fixes it at zero", Changes::REMOVE)))
 }
 
 /// Where something moves or is that has no place of its own: a joint that follows another, a link that is fixed to a body.

@@ -12,13 +12,13 @@ use std::{
     slice,
 };
 
-use clap::Args;
+use clap::{ArgAction, Args};
 use kane_codegen::{
     base_parameters,
     compile::{self, Plans},
-    diagnostic::Source,
+    diagnostic::{Escaped, Source},
     error::Error,
-    functions::{CompactBlock, Dimension, Packed, Request},
+    functions::{CompactBlock, Dimension, Packed, Request, split},
     input,
     options::Formulation,
     recursive::Technique,
@@ -76,8 +76,8 @@ pub(crate) struct Arguments {
     changes: ChangesArguments,
 
     /// The function, as in `kane generate --functions`, or by the name that `kane.toml` gives it
-    #[arg(long, short, value_name = "NAME")]
-    function: String,
+    #[arg(long, short, value_name = "NAME", required = true, action = ArgAction::Append)]
+    function: Vec<String>,
 
     /// The state, a JSON file; `-` is standard input; not needed for functions without inputs, such as `inertial_parameters`
     #[arg(long, short, value_name = "FILE")]
@@ -98,16 +98,12 @@ pub(crate) fn run(
     voice: Voice,
     out: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
+    let asked = only(&arguments.function)?;
     let mut failures = Failures::default();
-    let job = listed::looked_at(
-        &arguments.model,
-        &arguments.changes,
-        slice::from_ref(&arguments.function),
-    );
+    let job = listed::looked_at(&arguments.model, &arguments.changes, slice::from_ref(asked));
     let listed = job.as_ref().ok().map(|job| &job.options.functions);
-    let is_named =
-        listed.is_some_and(|listed| functions::named(&arguments.function, listed).is_some());
-    let function = failures.keep(functions::request(&arguments.function, listed));
+    let is_named = listed.is_some_and(|listed| functions::named(asked, listed).is_some());
+    let function = failures.keep(functions::request(asked, listed));
     let job = failures.keep(job);
     let checked = job.as_ref().map(Job::checked);
     let checked = checked.and_then(|checked| failures.keep(checked));
@@ -118,12 +114,15 @@ pub(crate) fn run(
     else {
         unreachable!("eval: what is absent left a failure")
     };
-    voice.warn_without_notes(&checked.warnings);
-
     let tree = &checked.tree;
     let function = function
         .on(tree)
-        .map_err(|faults| job.refused_functions(Error::Requests(faults), is_named))?;
+        .map_err(|faults| job.refused_functions(Error::Requests(faults), is_named));
+    let mut warnings = checked.warnings;
+    let asked = function.as_ref().into_iter();
+    warnings.extend(compile::nothing_prescribed(tree, asked));
+    voice.warn_without_notes(&warnings);
+    let function = function?;
     let Some(state) = state.or_else(|| state::of_no_inputs(tree, &function)) else {
         let needs = format!(
             "`{}` needs a state; give one with `--state FILE`",
@@ -131,7 +130,7 @@ pub(crate) fn run(
         );
         return Err(Failures::message(needs));
     };
-    let inputs = state::read(&state, tree, &function)?;
+    let inputs = state::read(&state, tree, &function, &job.options.changes)?;
     unphysical::check(tree, &function, &inputs, voice);
     let mut options = job.options;
     options.formulation = arguments.formulation.unwrap_or(options.formulation);
@@ -159,6 +158,23 @@ pub(crate) fn run(
     let outputs = value(tree, &function, &numbers, &derived.blocks);
     write(out, &outputs)?;
     Ok(Outcome::Done)
+}
+
+/// The only function among these texts: commas outside brackets separate several.
+fn only(texts: &[String]) -> Result<&String, Failures> {
+    let names: Vec<&str> = texts
+        .iter()
+        .flat_map(|text| split(text))
+        .map(str::trim)
+        .collect();
+    match texts {
+        [only] if names.len() == 1 => Ok(only),
+        _ => Err(Failures::message(format!(
+            "{} functions are asked for; join them with `+`: `{}`",
+            names.len(),
+            names.join("+").escaped()
+        ))),
+    }
 }
 
 /// Where it says which sums base parameters are.

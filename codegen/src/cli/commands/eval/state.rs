@@ -10,12 +10,12 @@ use kane_codegen::{
     expr::Input,
     functions::{Argument, Dimension, Element, Function, PARAMETERS, Request, variable_elsewhere},
     id::ParameterId,
-    tree::Tree,
+    tree::{Changes, Tree},
 };
 use serde_json::{Map, Value, error::Category};
 
 use crate::cli::commands::eval::{
-    by_name::{Places, elsewhere},
+    by_name::{Places, elsewhere, held},
     place::Place,
     unique::Unique,
 };
@@ -30,10 +30,16 @@ const MOST_PLACED: usize = 100;
 ///
 /// # Errors
 /// Everything that is wrong with the file.
-pub(crate) fn read(source: &Source, tree: &Tree, function: &Request) -> Result<State, Diagnostics> {
+pub(crate) fn read(
+    source: &Source,
+    tree: &Tree,
+    function: &Request,
+    changes: &Changes,
+) -> Result<State, Diagnostics> {
     let mut reader = Reader {
         text: source.text(),
         tree,
+        changes,
         state: nominal(tree),
         faults: Faults::default(),
         near: NearNames::default(),
@@ -75,12 +81,32 @@ fn nominal(tree: &Tree) -> State {
 struct Reader<'a> {
     text: &'a str,
     tree: &'a Tree,
+    changes: &'a Changes,
     state: State,
     faults: Faults,
     near: NearNames,
 }
 
 impl Reader<'_> {
+    /// The file lacks what the function needs.
+    fn missing(&mut self, argument: Argument, function: &Request) {
+        let (name, expected) = (argument.name(), self.expected(argument));
+        let message = format!(
+            "`{}` needs `{name}`, which is missing; expected {expected}",
+            function.text()
+        );
+        let is_turned = argument == Argument::Q && self.tree.quaternions().next().is_some();
+        let help = Places::of(self.tree, argument).map(|_| {
+            let quaternions = if is_turned {
+                ", and quaternions no rotation"
+            } else {
+                ""
+            };
+            format!("`\"{name}\": {{}}` means that all are zero{quaternions}")
+        });
+        self.faults.push(Diagnostic::error(message).help_if(help));
+    }
+
     /// What is wrong with the file.
     fn fault(&mut self, message: String) {
         self.faults.push(Diagnostic::error(message));
@@ -123,11 +149,7 @@ impl Reader<'_> {
             match file.get(argument.name()) {
                 Some(value) => self.argument(argument, value),
                 None if own.contains(&argument) && !self.is_empty(argument) => {
-                    let (name, expected) = (argument.name(), self.expected(argument));
-                    self.fault(format!(
-                        "`{}` needs `{name}`, which is missing; expected {expected}",
-                        function.text()
-                    ));
+                    self.missing(argument, function);
                 }
                 None => {}
             }
@@ -192,6 +214,7 @@ impl Reader<'_> {
                 // Names of speeds end in it, and are listed without.
                 let name = name.strip_suffix("_dot").unwrap_or(name);
                 let help = elsewhere(self.tree, argument, name)
+                    .or_else(|| held(self.changes, name))
                     .unwrap_or_else(|| self.known_names(name, &places.names(), places.kind));
                 self.fault_of_key(&what, fault.help(help));
             }

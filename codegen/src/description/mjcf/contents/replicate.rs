@@ -80,14 +80,14 @@ fn count(reader: &mut Reader, given: &Attributes<'_>) -> Option<usize> {
     };
     let Spanned { value, span } = text;
     let fault = match value.trim().parse::<usize>() {
-        Ok(count) if count > 0 && count <= BODIES => return Some(count),
-        Ok(count) if count > 0 => {
+        Ok(count) if count <= BODIES => return Some(count),
+        Ok(count) => {
             too_many(&format!("{} is", given.what("count")), count)?.at(span, "expected fewer")
         }
         _ => {
             let (what, found) = (given.what("count"), shown(value));
-            let message = format!("{what} is `{found}`; expected a whole number from 1 on");
-            Diagnostic::error(message).at(span, "expected one or more")
+            let message = format!("{what} is `{found}`; expected a whole number from 0 on");
+            Diagnostic::error(message).at(span, "expected zero or more")
         }
     };
     reader.faults.push(fault);

@@ -14,7 +14,7 @@ use crate::description::mjcf::orientation::{placement, z_axis};
 use crate::description::mjcf::placement::Placement;
 use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Span, Spanned};
-use crate::geometry::{IDENTITY, length};
+use crate::geometry::{IDENTITY, Vector, length};
 
 /// Density where a geom says nothing, kg/m³.
 const WATER: f64 = 1000.0;
@@ -25,6 +25,8 @@ const LEAST: f64 = 1e-14;
 /// What counts for a body.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::description::mjcf) struct Counted {
+    /// Whether the body moves.
+    pub(in crate::description::mjcf) moves: bool,
     /// Whether it matters what mass a geom has.
     pub(in crate::description::mjcf) mass_matters: bool,
     /// The first and the last group of geoms.
@@ -57,6 +59,7 @@ pub(in crate::description::mjcf) fn solid(
     model: &Model<'_>,
     around: &Placement,
     Counted {
+        moves,
         mass_matters,
         groups,
     }: Counted,
@@ -75,6 +78,10 @@ pub(in crate::description::mjcf) fn solid(
         None => GeomType::Sphere,
     };
     let amount = amount(reader, geom);
+    if kind == GeomType::Surface && moves {
+        reader.faults.push(moving_plane(geom));
+        return None;
+    }
     if kind == GeomType::Surface || matches!(amount, Amount::Mass(0.0) | Amount::Density(0.0)) {
         return None;
     }
@@ -152,6 +159,15 @@ fn is_too_small(reader: &mut Reader, geom: &Attributes<'_>, amount: Amount, volu
         reader.faults.push(warning.one_of(kind, &*geom.owner));
     }
     is_too_small
+}
+
+fn moving_plane(geom: &Attributes<'_>) -> Diagnostic {
+    let message = format!(
+        "{} is a plane on a body that moves, as MuJoCo lets none",
+        geom.owner
+    );
+    let fault = Diagnostic::error(message).at(geom.place("type"), "on a body that moves");
+    fault.help("move it to the world, or leave it out")
 }
 
 fn height_field(geom: &Attributes<'_>) -> Diagnostic {
@@ -249,6 +265,15 @@ fn span_of(
         return Some((placement(reader, geom, settings), None));
     }
     let segment = Segment::read(reader, geom, kind == GeomType::Sphere)?;
+    let position: Option<Vector> = geom.vector(reader, "pos");
+    if position.is_some_and(|position| position != [0.0; 3]) {
+        let message = format!("{} has both `pos` and `fromto`", geom.owner);
+        let fault = Diagnostic::error(message)
+            .at(geom.place("pos"), "expected one of them")
+            .at(geom.place("fromto"), "the other one");
+        reader.faults.push(fault);
+        return None;
+    }
     let along = segment.along();
     let rotation = z_axis(along)?;
     let placement = Placement {

@@ -106,6 +106,7 @@ impl Weighed<'_, '_> {
         let settings = &models.list[self.around.model].settings;
         let counted = Counted {
             // With a total to reach, every mass counts.
+            moves: self.moves,
             mass_matters: self.moves || settings.total_mass.is_some(),
             groups: settings.groups,
         };
