@@ -45,7 +45,7 @@ impl Joint {
     }
 }
 
-/// A frame fixed in a body: that of a body of the model that is fixed to another body and part of it.
+/// A frame fixed in a body. In the model it is a body of its own, fixed to the other one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// The name in the model.
@@ -63,6 +63,7 @@ impl Frame {
     ///
     /// # Panics
     /// If `rotations` is not of the frame's system.
+    #[must_use]
     pub fn rotation<R: Real>(&self, rotations: &[[[R; 3]; 3]]) -> [[R; 3]; 3] {
         let own = self.rotation.map(|row| row.map(R::from_f64));
         let Some(body) = self.body else {
@@ -77,6 +78,7 @@ impl Frame {
     ///
     /// # Panics
     /// If `rotations` or `origins` are not of the frame's system.
+    #[must_use]
     pub fn position<R: Real>(&self, rotations: &[[[R; 3]; 3]], origins: &[[R; 3]]) -> [R; 3] {
         let own = self.position.map(R::from_f64);
         let Some(body) = self.body else {
