@@ -6,8 +6,8 @@
 //! `NU` numbers of a direction are independent of each other for every kind of joint. Differences, derivatives and gains have `NU` entries.
 //!
 //! All functions use only arithmetic of [`Real`], without branches on numbers, allocation or the platform's arc tangent. So the bits are the
-//! same everywhere, also in lanes, and the module is `no_std`. It depends on a model only through [`System::JOINTS`]. Without this table, the
-//! speeds of a system are taken as rates of its coordinates.
+//! same everywhere, also in lanes, and the module is `no_std`. Of a model it uses [`System::JOINTS`] alone. If a system lacks this table, all
+//! its speeds count as rates of coordinates.
 //!
 //! ```
 //! # #[cfg(feature = "cart_pole")] {
