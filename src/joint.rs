@@ -2,7 +2,7 @@
 //!
 //! Generated modules hold constants of these types, for code that works with any system: conversion between charts, tools, logs.
 
-use crate::Real;
+use crate::{Real, three::transposed_times};
 
 /// The orientation coordinates of a joint, and its rotational speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -70,7 +70,7 @@ impl Frame {
             return own;
         };
         let body = &rotations[body];
-        own.map(|row| [0, 1, 2].map(|j| dot(row, [body[0][j], body[1][j], body[2][j]])))
+        own.map(|row| transposed_times(body, row))
     }
 
     /// The position of the frame's origin from the inertial origin, inertial components, m; `rotations` and `origins` are
@@ -86,15 +86,6 @@ impl Frame {
         };
         let (rotation, origin) = (&rotations[body], &origins[body]);
         let from_inertial = [0, 1, 2].map(|i| origin[i] + own[i]);
-        [0, 1, 2].map(|j| {
-            dot(
-                from_inertial,
-                [rotation[0][j], rotation[1][j], rotation[2][j]],
-            )
-        })
+        transposed_times(rotation, from_inertial)
     }
-}
-
-fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -82,6 +82,7 @@ mod sin_cos;
 // The scalar, and what `core` lacks of it.
 mod real;
 mod square_root;
+mod three;
 
 // What the generated functions take and give.
 mod array;

@@ -29,11 +29,9 @@
 //! assert!((gradient[2] - 0.2).abs() < 1e-15);
 //! ```
 
-use crate::manifold::{
-    sign,
-    turn::{self, transposed},
-};
-use crate::{Array, Real, square_root::square_root};
+use crate::manifold::{sign, turn};
+use crate::three::{transposed, transposed_times};
+use crate::{Real, square_root::square_root};
 
 /// The rotation matrix of a frame that has turned by a rotation vector, rad, of a length below 2^31 in `f64`, 2^17 in `f32`.
 ///
@@ -148,9 +146,7 @@ pub(crate) fn error_and_cosine<R: Real + PartialOrd>(
 
 /// The turn, from one orientation to another, of vectors that are fixed in the frame: inertial components to inertial components.
 fn between<R: Real>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [[R; 3]; 3] {
-    Array::from_fn(|i| {
-        Array::from_fn(|j| to[0][i] * from[0][j] + to[1][i] * from[1][j] + to[2][i] * from[2][j])
-    })
+    transposed(to).map(|column| transposed_times(from, column))
 }
 
 /// The quaternion of a turn of vectors, scalar first, of a length from 8 to 16; without the comparisons of errors, for lanes.

@@ -3,7 +3,7 @@
 use core::{fmt, marker::PhantomData};
 
 use crate::functions::{Jacobian, Pose};
-use crate::{Array, Real, System, rotation};
+use crate::{Array, Real, System, rotation, three::square};
 
 use super::equations::Equations;
 
@@ -116,7 +116,6 @@ where
 
         let way = <[R; 3]>::from_fn(|i| self.position[i] - position[i]);
         let (turn, cosine) = rotation::error_and_cosine(&rotation, &self.rotation);
-        let square = |[x, y, z]: [R; 3]| x * x + y * y + z * z;
         // `(4 sin(angle / 4))²`, from `2 sin(angle / 2)`.
         let (one, two) = (R::from_f64(1.0), R::from_f64(2.0));
         // NaN stays, so that it shows.

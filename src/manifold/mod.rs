@@ -33,10 +33,11 @@ pub(crate) use turn::of_angles;
 use core::marker::PhantomData;
 
 use crate::joint::Chart;
+use crate::three::Vector;
 use crate::vector::zero;
 use crate::{Array, Joint, Real, System};
 use angle::length;
-use turn::{Quaternion, Vector};
+use turn::Quaternion;
 
 /// An entry; zero beyond the end, which no table reaches, so that no panic remains in a linked program.
 fn entry<R: Real, A: Array<R>>(array: &A, place: usize) -> R {
