@@ -11,9 +11,12 @@
 //!
 //! What is given stays as it is over a step, also at the stages within it; give it anew for the next one.
 //!
-//! Both have [`System`](crate::System), [`ForwardDynamics`](crate::functions::ForwardDynamics) and its three derivatives above;
-//! [`Loaded`] also has [`InverseDynamics`](crate::functions::InverseDynamics). For everything else take the field `system`, which knows of no
-//! condition. So there are no steps by parameters and no [`checked::forward_dynamics`](crate::checked::forward_dynamics) under conditions.
+//! Both implement [`System`](crate::System), [`ForwardDynamics`](crate::functions::ForwardDynamics),
+//! [`ForwardDynamicsAndDerivatives`](crate::functions::ForwardDynamicsAndDerivatives),
+//! [`ForwardDynamicsJvp`](crate::functions::ForwardDynamicsJvp) and [`ForwardDynamicsVjp`](crate::functions::ForwardDynamicsVjp), and [`Loaded`]
+//! also [`InverseDynamics`](crate::functions::InverseDynamics): each if the module has the function that it needs. For everything else take
+//! the field `system`, which knows of no condition. So there are no steps by parameters and no
+//! [`checked::forward_dynamics`](crate::checked::forward_dynamics) under conditions.
 //! [`System::OPERATIONS`](crate::System::OPERATIONS) is empty: the system's own are the costs of other functions. All other constants are the
 //! system's.
 //!

@@ -91,11 +91,11 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
 
     /// One step from `q`, for control loops.
     ///
-    /// Its damping `λ` is [`Remaining::weighted`], plus the least damping. Unless a limit is met, `|u|` is at most `1 / √2`, rad and m in one sum
-    /// of squares, and most where the goal is about as far: toward a goal farther away it is shorter. So divided by a short time, these are no
-    /// speeds that a robot has. A coordinate beyond its limit is led back to it at once, however far.
+    /// The damping `λ` is [`Remaining::weighted`] plus the least damping. So unless a limit is met, `|u|`, the root of a sum of squared rad and m,
+    /// is at most `1 / √2`, and toward goals that are far away it is shorter the farther they are. Divided by a short period, `u` can exceed
+    /// the speeds of a robot: limit them. A coordinate beyond its limit is led back to it at once, however far.
     ///
-    /// `q + u` passes no limit, except by rounding; [`Self::advance`] does not do that either.
+    /// `q + u` passes no limit but by rounding; [`Self::advance`] does not even do that.
     pub fn step<S, G, const NU: usize>(&self, system: &S, goals: &G, q: &[R; NQ]) -> Step<R, NU>
     where
         S: System<R, Q = [R; NQ], U = [R; NU]>,
