@@ -19,6 +19,7 @@ pub struct Turning {
 
 impl Turning {
     /// From 1-2-3 body-fixed angles, rad, and the relative angular velocity.
+    #[must_use]
     pub fn from_angles(theta: [f64; 3], w: [f64; 3]) -> Self {
         Self {
             e: of_angles(theta),
@@ -27,6 +28,7 @@ impl Turning {
     }
 
     /// From 1-2-3 body-fixed angles, rad, and their rates, rad/s: Eq. (8).
+    #[must_use]
     pub fn from_rates(theta: [f64; 3], rates: [f64; 3]) -> Self {
         let ((s2, c2), (s3, c3)) = (sin_cos(theta[1]), sin_cos(theta[2]));
         let [d1, d2, d3] = rates;
@@ -37,6 +39,7 @@ impl Turning {
     /// The 1-2-3 body-fixed angles, rad: `theta_2` from -π/2 to π/2, the others from -π to π.
     ///
     /// At `cos(theta_2) = 0` only the sum or difference of the others is defined: `theta_1` is arbitrary, and `theta_3` matches it.
+    #[must_use]
     pub fn angles(&self) -> [f64; 3] {
         let [e0, e1, e2, e3] = unit(self.e);
         // Entries of C(e)^T, Eq. (4): s2, -s1 c2, c1 c2.
@@ -58,6 +61,7 @@ impl Turning {
     }
 
     /// The rates of the angles, rad/s, Eq. (9); meaningless near `cos(theta_2) = 0`: there they are huge or not finite.
+    #[must_use]
     pub fn rates(&self) -> [f64; 3] {
         let [_, theta2, theta3] = self.angles();
         let ((s2, c2), (s3, c3)) = (sin_cos(theta2), sin_cos(theta3));

@@ -5,8 +5,8 @@
 //! the time. The module `simulate` integrates to a tolerance instead of with a fixed step;
 //! [`discrete`](crate::discrete) has steps with derivatives, exactly on the manifold of quaternions.
 //!
-//! The step is explicit. A damper `d` at a joint where forces meet an inertia `I` slows it by a factor e in `I / d` seconds, and a step must be
-//! shorter than 2.7 times that: otherwise speeds grow from step to step.
+//! The step is explicit. A damper `d` at a joint where forces meet an inertia `I` slows the joint by a factor e in `I / d` seconds. Steps must be
+//! shorter than 2.7 times this, or speeds grow from step to step.
 
 use crate::functions::ForwardDynamics;
 use crate::vector::add_scaled;
@@ -48,6 +48,9 @@ pub fn rk4_step<R: Real, S: ForwardDynamics<R>>(
 ///
 /// `control` is called four times per step, at the states of the four stages. Use it for forces that act continuously (springs,
 /// dampers, a fast inner loop); a discontinuous law lowers the order.
+///
+/// Its quaternions do not have length one exactly: those of the second and third stage miss it by about the square of the angle turned in the
+/// step, over 32. A law that needs length one takes a copy of `q` and calls [`scale_quaternions`](crate::manifold::scale_quaternions) on it.
 pub fn rk4_step_with<R: Real, S: ForwardDynamics<R>>(
     system: &S,
     dt: R,

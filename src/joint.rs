@@ -2,7 +2,7 @@
 //!
 //! Generated modules hold constants of these types, for code that works with any system: conversion between charts, tools, logs.
 
-use crate::Real;
+use crate::{Real, three::transposed_times};
 
 /// The orientation coordinates of a joint, and its rotational speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -45,7 +45,7 @@ impl Joint {
     }
 }
 
-/// A frame fixed in a body: that of a body of the model that is fixed to another body and part of it.
+/// A frame fixed in a body. In the model it is a body of its own, fixed to the other one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// The name in the model.
@@ -63,13 +63,14 @@ impl Frame {
     ///
     /// # Panics
     /// If `rotations` is not of the frame's system.
+    #[must_use]
     pub fn rotation<R: Real>(&self, rotations: &[[[R; 3]; 3]]) -> [[R; 3]; 3] {
         let own = self.rotation.map(|row| row.map(R::from_f64));
         let Some(body) = self.body else {
             return own;
         };
         let body = &rotations[body];
-        own.map(|row| [0, 1, 2].map(|j| dot(row, [body[0][j], body[1][j], body[2][j]])))
+        own.map(|row| transposed_times(body, row))
     }
 
     /// The position of the frame's origin from the inertial origin, inertial components, m; `rotations` and `origins` are
@@ -77,6 +78,7 @@ impl Frame {
     ///
     /// # Panics
     /// If `rotations` or `origins` are not of the frame's system.
+    #[must_use]
     pub fn position<R: Real>(&self, rotations: &[[[R; 3]; 3]], origins: &[[R; 3]]) -> [R; 3] {
         let own = self.position.map(R::from_f64);
         let Some(body) = self.body else {
@@ -84,15 +86,6 @@ impl Frame {
         };
         let (rotation, origin) = (&rotations[body], &origins[body]);
         let from_inertial = [0, 1, 2].map(|i| origin[i] + own[i]);
-        [0, 1, 2].map(|j| {
-            dot(
-                from_inertial,
-                [rotation[0][j], rotation[1][j], rotation[2][j]],
-            )
-        })
+        transposed_times(rotation, from_inertial)
     }
-}
-
-fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -59,7 +59,7 @@
 //!
 //! | feature | default | what it adds |
 //! | --- | --- | --- |
-//! | `std` | yes | conversion between angles and quaternions ([`chart`]), fused multiply-add if a module uses it |
+//! | `std` | yes | conversion between angles and quaternions (the module `chart`), fused multiply-add if a module uses it |
 //! | `nalgebra` | yes | views of arrays as nalgebra matrices |
 //! | `eight_body` | yes | a bundled system: eight free bodies |
 //! | `cart_pole` | | a bundled system: a pole on a cart |
@@ -82,6 +82,7 @@ mod sin_cos;
 // The scalar, and what `core` lacks of it.
 mod real;
 mod square_root;
+mod three;
 
 // What the generated functions take and give.
 mod array;

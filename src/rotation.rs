@@ -29,11 +29,9 @@
 //! assert!((gradient[2] - 0.2).abs() < 1e-15);
 //! ```
 
-use crate::manifold::{
-    sign,
-    turn::{self, transposed},
-};
-use crate::{Array, Real, square_root::square_root};
+use crate::manifold::{sign, turn};
+use crate::three::{transposed, transposed_times};
+use crate::{Real, square_root::square_root};
 
 /// The rotation matrix of a frame that has turned by a rotation vector, rad, of a length below 2^31 in `f64`, 2^17 in `f32`.
 ///
@@ -41,6 +39,7 @@ use crate::{Array, Real, square_root::square_root};
 /// let [x_axis, _, _] = kane::rotation::exp(&[0.0, 0.0, core::f64::consts::FRAC_PI_2]);
 /// assert!((x_axis[1] - 1.0).abs() < 1e-15, "the frame's x axis is the inertial y axis");
 /// ```
+#[must_use]
 pub fn exp<R: Real>(vector: &[R; 3]) -> [[R; 3]; 3] {
     let [matrix, _] = turn::inverse_and_jacobian(*vector);
     matrix
@@ -50,6 +49,7 @@ pub fn exp<R: Real>(vector: &[R; 3]) -> [[R; 3]; 3] {
 ///
 /// The error is a few roundings of the matrix, also near 0 and π: for a matrix with entries right to 1e-16 a few 1e-16 rad. Near π the vector may
 /// be that of the other way round, of nearly the same rotation.
+#[must_use]
 pub fn log<R: Real>(rotation: &[[R; 3]; 3]) -> [R; 3] {
     turn::log(quaternion(&transposed(rotation)))
 }
@@ -57,6 +57,7 @@ pub fn log<R: Real>(rotation: &[[R; 3]; 3]) -> [R; 3] {
 /// The rotation vector, rad, that takes a frame from the rotation matrix `from` to `to`, the shorter way.
 ///
 /// It has the components that the matrices map from: along the inertial axes, or along those of another frame. Accuracy is that of [`log`].
+#[must_use]
 pub fn difference<R: Real>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 3] {
     turn::log(quaternion(&between(from, to)))
 }
@@ -65,6 +66,7 @@ pub fn difference<R: Real>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 3] {
 /// component `i` for a unit rate of entry `j`.
 ///
 /// The left Jacobian of SO(3). Its transpose, the right Jacobian, gives components along the frame's axes. Right to rounding up to the lengths for which [`exp`] is.
+#[must_use]
 pub fn exp_jacobian<R: Real>(vector: &[R; 3]) -> [[R; 3]; 3] {
     let [_, right] = turn::inverse_and_jacobian(*vector);
     transposed(&right)
@@ -76,6 +78,7 @@ pub fn exp_jacobian<R: Real>(vector: &[R; 3]) -> [[R; 3]; 3] {
 /// The inverse left Jacobian of SO(3), at `vector` from [`log`]. Its transpose, the inverse right Jacobian, takes the angular velocity along
 /// the frame's own axes. For [`difference`] it takes the angular velocity of `to`, along the axes of the vector's components; the rate for
 /// that of `from` is minus its transpose. Right to rounding up to π; singular only at whole revolutions.
+#[must_use]
 pub fn log_jacobian<R: Real>(vector: &[R; 3]) -> [[R; 3]; 3] {
     transposed(&turn::jacobian_inverse(*vector))
 }
@@ -94,6 +97,7 @@ pub fn log_jacobian<R: Real>(vector: &[R; 3]) -> [[R; 3]; 3] {
 /// let [x, y, z] = kane::rotation::error(&from, &to);
 /// assert!(x == 0.0 && y == 0.0 && (z - 0.2).abs() < 1e-3);
 /// ```
+#[must_use]
 pub fn error<R: Real + PartialOrd>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 3] {
     error_and_cosine(from, to).0
 }
@@ -103,6 +107,7 @@ pub fn error<R: Real + PartialOrd>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 
 ///
 /// The matrix is `cos(angle / 2) - [error] / 2`, with `[error]` that of the cross product. The rate for the angular velocity of `from` is
 /// minus its transpose. At π, where the shorter way changes sides, the error jumps.
+#[must_use]
 pub fn error_and_jacobian<R: Real + PartialOrd>(
     from: &[[R; 3]; 3],
     to: &[[R; 3]; 3],
@@ -141,9 +146,7 @@ pub(crate) fn error_and_cosine<R: Real + PartialOrd>(
 
 /// The turn, from one orientation to another, of vectors that are fixed in the frame: inertial components to inertial components.
 fn between<R: Real>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [[R; 3]; 3] {
-    Array::from_fn(|i| {
-        Array::from_fn(|j| to[0][i] * from[0][j] + to[1][i] * from[1][j] + to[2][i] * from[2][j])
-    })
+    transposed(to).map(|column| transposed_times(from, column))
 }
 
 /// The quaternion of a turn of vectors, scalar first, of a length from 8 to 16; without the comparisons of errors, for lanes.

@@ -143,6 +143,9 @@ impl Error for SimulateError {}
 /// to that. `control(t, q, u, tau)` overwrites `tau`, which is zero on entry. It is called at the integrator's
 /// stages, several times per step, also for rejected steps. No step goes past one of `times`.
 ///
+/// The law gets quaternions that do not have length one exactly: stages stray from it, and errors of steps add up. A law that needs length
+/// one takes a copy of `q` and calls [`scale_quaternions`](crate::manifold::scale_quaternions) on it. Quaternions of samples have length one.
+///
 /// # Errors
 /// See [`SimulateError`]. It never panics itself.
 pub fn simulate<S: ForwardDynamics<f64>>(
@@ -165,14 +168,10 @@ pub fn simulate<S: ForwardDynamics<f64>>(
     if !motion.is_finite_at(start, &initial) {
         return Err(SimulateError::NotFinite { t: start });
     }
-    let mut samples = Vec::with_capacity(times.len());
-    samples.push(Sample {
-        t: start,
-        q: *q,
-        u: *u,
-    });
-    if times.len() == 1 {
-        return Ok(samples);
+    let at = |t: f64, Point { q, u }: Point<S::Q, S::U>| Sample { t, q, u };
+    // One time, or a system without coordinates: there is nothing to integrate.
+    if times.len() == 1 || initial.len() == 0 {
+        return Ok(times.iter().map(|&t| at(t, initial)).collect());
     }
     let mut method = ExplicitRungeKutta::dop853()
         .rtol(tolerance.relative)
@@ -182,21 +181,36 @@ pub fn simulate<S: ForwardDynamics<f64>>(
         .init(&motion, start, end, &initial)
         .map_err(|failure| error(&failure, start, tolerance.max_steps))?;
 
-    // A remainder that rounding leaves is not worth a step.
-    let slack = 4.0 * f64::EPSILON * start.abs().max(end.abs());
-    for &t in &times[1..] {
-        while t - method.t() > slack {
+    let mut samples = Vec::with_capacity(times.len());
+    samples.push(at(start, initial));
+    for ends in times.windows(2) {
+        let &[before, t] = ends else { continue };
+        // A remainder that rounding leaves is not worth a step.
+        let rounding = 4.0 * f64::EPSILON * before.abs().max(t.abs());
+        while t - method.t() > rounding.max(least_step(&method)) {
             advance(&mut method, &motion, t)
                 .map_err(|failure| error(&failure, method.t(), tolerance.max_steps))?;
             if !method.y().is_finite() {
                 return Err(SimulateError::NotFinite { t: method.t() });
             }
         }
-        let Point { mut q, u } = *method.y();
-        manifold::scale_quaternions(system, &mut q);
-        samples.push(Sample { t, q, u });
+        let mut point = *method.y();
+        let remaining = t - method.t();
+        if remaining > rounding {
+            // So short a way is straight.
+            let mut rate = point;
+            motion.diff(method.t(), &point, &mut rate);
+            point.mul_add_assign(remaining, &rate);
+        }
+        manifold::scale_quaternions(system, &mut point.q);
+        samples.push(at(t, point));
     }
     Ok(samples)
+}
+
+/// The integrator refuses steps shorter than 1e-14 of the one before.
+fn least_step<Y: State<f64>>(method: &impl OrdinaryNumericalMethod<f64, Y>) -> f64 {
+    1e-13 * (method.t() - method.t_prev())
 }
 
 /// Tries one step toward `t`, not past it.

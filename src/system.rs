@@ -46,8 +46,8 @@ pub trait System<R: Real> {
     const JOINTS: &'static [Joint] = &[];
     /// The frames of bodies that are fixed to others and part of them.
     const FRAMES: &'static [Frame] = &[];
-    /// The lower limits of the `NQ` coordinates, rad, m: data only; infinite if there is no limit. Here, above and for speeds, limits of
-    /// joints that follow count.
+    /// The lower limits of the `NQ` coordinates, rad, m; infinite if there is no limit. A joint that follows another narrows that one's limits,
+    /// here, above and for speeds; no equation of motion uses them; inverse kinematics does.
     const LOWER_LIMITS: &'static [f64] = &[];
     /// The upper limits of the `NQ` coordinates, rad, m.
     const UPPER_LIMITS: &'static [f64] = &[];

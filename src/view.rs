@@ -45,11 +45,13 @@ use nalgebra::{
 use crate::{Array, discrete::StepDerivatives};
 
 /// `q`, `u`, `tau`, or one body's vector, as a column vector.
+#[must_use]
 pub fn vector<R: Scalar, const N: usize>(array: &[R; N]) -> VectorView<'_, R, Const<N>> {
     VectorView::<R, Const<N>>::from_slice(array)
 }
 
 /// Like [`vector`], for writing.
+#[must_use]
 pub fn vector_mut<R: Scalar, const N: usize>(array: &mut [R; N]) -> VectorViewMut<'_, R, Const<N>> {
     VectorViewMut::<R, Const<N>>::from_slice(array)
 }
@@ -58,6 +60,7 @@ pub fn vector_mut<R: Scalar, const N: usize>(array: &mut [R; N]) -> VectorViewMu
 ///
 /// For the mass matrix this is the matrix itself; for a body's rotation matrix its inverse, which maps body
 /// components to inertial ones.
+#[must_use]
 pub fn transposed<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
     rows: &[[R; COLUMNS]; ROWS],
 ) -> MatrixView<'_, R, Const<COLUMNS>, Const<ROWS>> {
@@ -65,6 +68,7 @@ pub fn transposed<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
 }
 
 /// Like [`transposed`], for writing.
+#[must_use]
 pub fn transposed_mut<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
     rows: &mut [[R; COLUMNS]; ROWS],
 ) -> MatrixViewMut<'_, R, Const<COLUMNS>, Const<ROWS>> {
@@ -72,6 +76,7 @@ pub fn transposed_mut<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
 }
 
 /// Copies an array of rows into a matrix: entry `(i, j)` is `rows[i][j]`.
+#[must_use]
 pub fn matrix<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
     rows: &[[R; COLUMNS]; ROWS],
 ) -> SMatrix<R, ROWS, COLUMNS> {
@@ -79,6 +84,7 @@ pub fn matrix<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
 }
 
 /// Copies a matrix into an array of rows.
+#[must_use]
 pub fn to_rows<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
     matrix: &SMatrix<R, ROWS, COLUMNS>,
 ) -> [[R; COLUMNS]; ROWS] {
@@ -96,6 +102,7 @@ pub fn to_rows<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
 /// assert_eq!(jacobian[(1, 0)], 2.0);
 /// assert_eq!(jacobian[(5, 0)], 6.0);
 /// ```
+#[must_use]
 pub fn stacked<R: Scalar, const COLUMNS: usize>(
     first: &[[R; COLUMNS]; 3],
     second: &[[R; COLUMNS]; 3],
@@ -108,6 +115,7 @@ pub fn stacked<R: Scalar, const COLUMNS: usize>(
 ///
 /// Like `R_K`, Eq. (2), it maps inertial components to body components. The nine numbers are copied as they are, orthonormal up
 /// to rounding.
+#[must_use]
 pub fn rotation<R: Scalar>(rows: &[[R; 3]; 3]) -> Rotation3<R> {
     Rotation3::from_matrix_unchecked(matrix(rows))
 }
@@ -133,6 +141,7 @@ pub fn rotation<R: Scalar>(rows: &[[R; 3]; 3]) -> Rotation3<R> {
 ///     step_by_state(derivatives)
 /// }
 /// ```
+#[must_use]
 pub fn step_by_state<R: Scalar + Copy, Row: Array<R>, M: Array<Row>, const N2: usize>(
     derivatives: &StepDerivatives<M>,
 ) -> SMatrix<R, N2, N2> {
@@ -144,6 +153,7 @@ pub fn step_by_state<R: Scalar + Copy, Row: Array<R>, M: Array<Row>, const N2: u
 
 /// Copies the derivatives of a discrete step by the forces into `B`, for `N` speeds and `N2 = 2 N`: two rows and one column per speed.
 /// Write the type of the result, as for [`step_by_state`]: `let b: SMatrix<f64, N2, N> = ..`.
+#[must_use]
 pub fn step_by_tau<
     R: Scalar + Copy,
     Row: Array<R>,

@@ -1,5 +1,7 @@
 //! A system of which something drives joints.
 
+use core::fmt;
+
 use super::of_system;
 use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsJvp, ForwardDynamicsVjp,
@@ -8,15 +10,33 @@ use crate::functions::{
 use crate::vector::zero;
 use crate::{Array, Real, System};
 
-/// A system whose prescribed speeds have given accelerations: its forward dynamics find the others, and copy these.
+/// A system in which something drives the prescribed speeds, with accelerations that are given.
 ///
-/// Entries of `tau` of prescribed speeds have no effect; [`HybridDynamics`] finds them.
-#[derive(Clone, Copy, Debug)]
+/// Its forward dynamics copy these and find the others. Entries of `tau` of prescribed speeds have no effect. The forces that drive them are
+/// the `whole_tau` of [`HybridDynamics`].
 pub struct Driven<'a, R: Real, S: System<R>> {
     /// The system.
     pub system: &'a S,
     /// The accelerations of the prescribed speeds, rad/s² and m/s²; other entries have no effect.
     pub u_dot: S::U,
+}
+
+// Derived, these would ask the system for the same.
+impl<R: Real, S: System<R>> Clone for Driven<'_, R, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R: Real, S: System<R>> Copy for Driven<'_, R, S> {}
+
+impl<R: Real, S: System<R>> fmt::Debug for Driven<'_, R, S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Driven")
+            .field("system", &S::NAME)
+            .field("u_dot", &self.u_dot)
+            .finish()
+    }
 }
 
 impl<R: Real, S: System<R>> System<R> for Driven<'_, R, S> {

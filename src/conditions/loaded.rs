@@ -1,5 +1,7 @@
 //! A system under loads.
 
+use core::fmt;
+
 use super::of_system;
 use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsJvp, ForwardDynamicsVjp,
@@ -9,12 +11,29 @@ use crate::functions::{
 use crate::{Real, System};
 
 /// A system with loads on its bodies: its forward and inverse dynamics are the loaded ones of the system.
-#[derive(Clone, Copy, Debug)]
 pub struct Loaded<'a, R: Real, S: System<R>> {
     /// The system.
     pub system: &'a S,
     /// The loads, one for each body: N and N m, in the axes and about the points of [`Load`](crate::Load).
     pub loads: S::Loads,
+}
+
+// Derived, these would ask the system for the same.
+impl<R: Real, S: System<R>> Clone for Loaded<'_, R, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R: Real, S: System<R>> Copy for Loaded<'_, R, S> {}
+
+impl<R: Real, S: System<R>> fmt::Debug for Loaded<'_, R, S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Loaded")
+            .field("system", &S::NAME)
+            .field("loads", &self.loads)
+            .finish()
+    }
 }
 
 impl<R: Real, S: System<R>> System<R> for Loaded<'_, R, S> {

@@ -1,5 +1,5 @@
-//! A system under conditions, in the place of the system: steps of [`discrete`](crate::discrete), [`integrate`](crate::integrate) and the
-//! module `simulate` then move it under them.
+//! A system under conditions: steps of [`discrete`](crate::discrete), [`integrate`](crate::integrate) and the module `simulate` take it as
+//! a system, and move it under them.
 //!
 //! | | what is given | whose forward dynamics it has |
 //! | --- | --- | --- |
@@ -9,7 +9,20 @@
 //! Derivatives of steps need the derivatives of these in the module: `loaded_forward_dynamics+d(loaded_forward_dynamics)/d(q, u, tau)` for
 //! `linearized`, `jvp(loaded_forward_dynamics; q, u, tau)` for `forward`, `vjp(..)` for `adjoint`; and so of `hybrid_dynamics`.
 //!
-//! What is given stays as it is over a step, also at the stages within it; give it anew for the next one. All else is the system's own.
+//! What is given stays as it is over a step, also at the stages within it; give it anew for the next one.
+//!
+//! Both implement [`System`](crate::System), [`ForwardDynamics`](crate::functions::ForwardDynamics),
+//! [`ForwardDynamicsAndDerivatives`](crate::functions::ForwardDynamicsAndDerivatives),
+//! [`ForwardDynamicsJvp`](crate::functions::ForwardDynamicsJvp) and [`ForwardDynamicsVjp`](crate::functions::ForwardDynamicsVjp), and [`Loaded`]
+//! also [`InverseDynamics`](crate::functions::InverseDynamics): each if the module has the function that it needs. For everything else take
+//! the field `system`, which knows of no condition. So there are no steps by parameters and no
+//! [`checked::forward_dynamics`](crate::checked::forward_dynamics) under conditions.
+//! [`System::OPERATIONS`](crate::System::OPERATIONS) is empty: the system's own are the costs of other functions. All other constants are the
+//! system's.
+//!
+//! For loads on a driven system, add their [`GeneralizedForces`](crate::functions::GeneralizedForces) at the state to `tau`. This is exact for
+//! [`euler::step`](crate::discrete::euler::step) alone: other steps also ask for forces at states within, and derivatives of steps miss how
+//! these forces change with `q`.
 //!
 //! ```
 //! # #[cfg(feature = "eight_body")] {
@@ -55,7 +68,6 @@ macro_rules! of_system {
         const EFFORT_LIMITS: &'static [f64] = S::EFFORT_LIMITS;
         const FRICTION: &'static [f64] = S::FRICTION;
         const FINGERPRINT: u64 = S::FINGERPRINT;
-        const OPERATIONS: &'static [$crate::Cost] = S::OPERATIONS;
 
         fn q_dot(&self, q: &Self::Q, u: &Self::U, q_dot: &mut Self::Q) {
             self.system.q_dot(q, u, q_dot);

@@ -1,9 +1,62 @@
-//! The mass matrix as an operator: products, solutions, its inverse, its factors.
+//! The mass matrix, its products, solutions, inverse and factors, and the matrices of its motion.
 
 use crate::{Array, Real, System};
 
+/// Mass matrix `M` (`A` in the notes), symmetric, written whole, `m[row][column]`. Eq. (42); often called
+/// the joint-space inertia matrix or, by its algorithm, CRBA.
+///
+/// Units kg m², kg m and kg, depending on the units of the two speeds.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `mass_matrix`; name it in `functions`, alone and not in a sum, and generate again"
+)]
+pub trait MassMatrix<R: Real>: System<R> {
+    /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrix`].
+    fn mass_matrix(&self, q: &Self::Q, m: &mut Self::Matrix);
+}
+
+/// The entries of the [`MassMatrix`] on and below the diagonal that are not structurally zero, row by row. Eq. (42).
+///
+/// Entries of two speeds that move no common body are left out. For a humanoid a quarter of the matrix remains, in the form that
+/// sparse solvers along the tree use. [`unpack`] makes the whole matrix.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `mass_matrix_packed`; name it in `functions`, alone and not in a sum, and generate again"
+)]
+pub trait MassMatrixPacked<R: Real>: System<R> {
+    /// `[R; n]`, one entry for each place.
+    type Entries: Array<R>;
+    /// The row and the column of each entry, column not above row; ordered by row, within a row by column.
+    const PLACES: &'static [[usize; 2]];
+    /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrix`].
+    fn mass_matrix_packed(&self, q: &Self::Q, entries: &mut Self::Entries);
+}
+
+/// Writes the whole symmetric matrix with these `entries` at these `places`; all other entries become zero.
+///
+/// For packed mass matrices and their inverses, and for second derivatives. Entries without a place, and places outside the matrix, are
+/// ignored.
+pub fn unpack<R: Real, Row: Array<R>>(
+    entries: &[R],
+    places: &[[usize; 2]],
+    m: &mut impl Array<Row>,
+) {
+    let rows = m.as_mut();
+    for row in rows.iter_mut() {
+        *row = Row::filled(R::from_f64(0.0));
+    }
+    for (&entry, &[row, column]) in entries.iter().zip(places) {
+        for [row, column] in [[row, column], [column, row]] {
+            let place = rows
+                .get_mut(row)
+                .and_then(|row| row.as_mut().get_mut(column));
+            if let Some(place) = place {
+                *place = entry;
+            }
+        }
+    }
+}
+
 function_traits! {
-    /// The [`MassMatrix`](super::MassMatrix) times accelerations, `tau = M u_dot`, N m and N, rotors included; no matrix is formed. Eq. (42).
+    /// The [`MassMatrix`] times accelerations, `tau = M u_dot`, N m and N, rotors included; no matrix is formed. Eq. (42).
     ///
     /// Inverse dynamics without bias. Often called the mass-matrix-vector product; with `u` instead of `u_dot`, the
     /// generalized momentum.
@@ -18,7 +71,7 @@ function_traits! {
     MassMatrixSolve: mass_matrix_solve(q: &Self::Q, tau: &Self::U, u_dot: &mut Self::U);
 }
 
-/// The inverse of the [`MassMatrix`](super::MassMatrix), symmetric, written whole, `inverse[row][column]`. Eq. (42); often
+/// The inverse of the [`MassMatrix`], symmetric, written whole, `inverse[row][column]`. Eq. (42); often
 /// called Minv, or the inverse of the joint-space inertia matrix.
 ///
 /// Units are those of accelerations over those of forces. Nothing is checked, as in [`ForwardDynamics`](super::ForwardDynamics).
@@ -32,7 +85,7 @@ pub trait MassMatrixInverse<R: Real>: System<R> {
 
 /// The entries of the [`MassMatrixInverse`] on and below the diagonal that are not structurally zero, row by row.
 ///
-/// Entries of two speeds of separate trees on the inertial frame are left out. [`unpack`](super::unpack) makes the whole matrix.
+/// Entries of two speeds of separate trees on the inertial frame are left out. [`unpack`] makes the whole matrix.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `mass_matrix_inverse_packed`; name it in `functions`, alone and not in a sum, and generate again"
 )]
@@ -45,7 +98,7 @@ pub trait MassMatrixInversePacked<R: Real>: System<R> {
     fn mass_matrix_inverse_packed(&self, q: &Self::Q, entries: &mut Self::Entries);
 }
 
-/// The factors of the [`MassMatrix`](super::MassMatrix), `M = Lᵀ D L` along the tree, a sparse Cholesky factorisation. Eq. (42).
+/// The factors of the [`MassMatrix`], `M = Lᵀ D L` along the tree, a sparse Cholesky factorisation. Eq. (42).
 ///
 /// D is on the diagonal, in the units of the mass matrix's, L beside it with an implied unit diagonal; an entry of L is a ratio of two speeds. There is no fill-in, except where mimic joints couple branches.
 /// Rows are eliminated from the leaves inward, in the order [`Self::ORDER`]. [`solve_factored`] solves with the factors.
@@ -77,7 +130,7 @@ pub trait CoriolisMatrix<R: Real>: System<R> {
     fn coriolis_matrix(&self, q: &Self::Q, u: &Self::U, c: &mut Self::Matrix);
 }
 
-/// Rate of the [`MassMatrix`](super::MassMatrix) for the motion `u`, `M_dot = C + Cᵀ`: symmetric, written whole,
+/// Rate of the [`MassMatrix`] for the motion `u`, `M_dot = C + Cᵀ`: symmetric, written whole,
 /// `m_dot[row][column]`; the unit is that of the mass matrix, per second.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `mass_matrix_dot`; name it in `functions`, alone and not in a sum, and generate again"

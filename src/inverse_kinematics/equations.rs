@@ -5,6 +5,7 @@ use crate::{Array, Real};
 /// The error at some `q`: for each goal along the axes of its components, the inertial ones or, for
 /// [`Seen`](crate::functions::Seen), those of the other frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use = "only the error tells whether the goals were reached"]
 pub struct Remaining<R> {
     /// The largest component of the position error, over all goals with a position, m.
     pub position: R,
@@ -18,6 +19,7 @@ pub struct Remaining<R> {
 
 impl<R: Real + PartialOrd> Remaining<R> {
     /// True if no component exceeds `tolerance`, m and rad.
+    #[must_use]
     pub fn is_within(&self, tolerance: R) -> bool {
         self.position <= tolerance && self.orientation <= tolerance
     }

@@ -3,7 +3,7 @@
 use core::{fmt, marker::PhantomData};
 
 use crate::functions::{Jacobian, Pose};
-use crate::{Array, Real, System, rotation};
+use crate::{Array, Real, System, rotation, three::square};
 
 use super::equations::Equations;
 
@@ -16,10 +16,10 @@ pub struct Goal<R, F> {
     pub rotation: [[R; 3]; 3],
     /// The frame's origin from the inertial origin, inertial components, m, as [`Pose`] writes it.
     pub position: [R; 3],
-    /// The weight of the squared distance, 1/m²; if it is zero, any position will do. Weights count against one another: all of them
-    /// times a number are the same goals.
+    /// The weight of the squared distance, 1/m²; if it is zero or negative, any position will do. Weights count against one another: all of
+    /// them times a number are the same goals. If one is NaN, so is every step, and [`Remaining::weighted`](super::Remaining::weighted).
     pub position_weight: R,
-    /// The weight of the squared angle, 1/rad²; if it is zero, any orientation will do.
+    /// The weight of the squared angle, 1/rad²; if it is zero or negative, any orientation will do.
     pub orientation_weight: R,
     frame: PhantomData<F>,
 }
@@ -55,6 +55,7 @@ impl<R: Copy, F> Copy for Goal<R, F> {}
 
 impl<R: Real, F> Goal<R, F> {
     /// A position and an orientation: a radian weighs as much as a metre.
+    #[must_use]
     pub fn pose(rotation: [[R; 3]; 3], position: [R; 3]) -> Self {
         let one = R::from_f64(1.0);
         Self {
@@ -67,10 +68,18 @@ impl<R: Real, F> Goal<R, F> {
     }
 
     /// A position, with any orientation: for feet, and for points to look at.
+    #[must_use]
     pub fn position(position: [R; 3]) -> Self {
         let (zero, one) = (R::from_f64(0.0), R::from_f64(1.0));
         let rotation = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
         Self::pose(rotation, position).weighing(one, zero)
+    }
+
+    /// An orientation, at any position: for cameras, and for cups that must not spill.
+    #[must_use]
+    pub fn orientation(rotation: [[R; 3]; 3]) -> Self {
+        let (zero, one) = (R::from_f64(0.0), R::from_f64(1.0));
+        Self::pose(rotation, [zero; 3]).weighing(zero, one)
     }
 
     /// The same goal with other weights, 1/m² and 1/rad².
@@ -107,20 +116,25 @@ where
 
         let way = <[R; 3]>::from_fn(|i| self.position[i] - position[i]);
         let (turn, cosine) = rotation::error_and_cosine(&rotation, &self.rotation);
-        let square = |[x, y, z]: [R; 3]| x * x + y * y + z * z;
         // `(4 sin(angle / 4))²`, from `2 sin(angle / 2)`.
         let (one, two) = (R::from_f64(1.0), R::from_f64(2.0));
-        equations.weigh(self.position_weight, square(way));
-        equations.weigh(self.orientation_weight, square(turn) * two / (one + cosine));
+        // NaN stays, so that it shows.
+        let counted = |weight: R| if weight < zero { zero } else { weight };
+        let (of_position, of_turn) = (
+            counted(self.position_weight),
+            counted(self.orientation_weight),
+        );
+        equations.weigh(of_position, square(way));
+        equations.weigh(of_turn, square(turn) * two / (one + cosine));
         let speeds = <S as Jacobian<R, F>>::SPEEDS;
         for i in 0..3 {
-            equations.add(&linear[i], way[i], self.position_weight, speeds);
-            equations.add(&angular[i], turn[i], self.orientation_weight, speeds);
+            equations.add(&linear[i], way[i], of_position, speeds);
+            equations.add(&angular[i], turn[i], of_turn, speeds);
         }
-        if self.position_weight > zero {
+        if of_position != zero {
             equations.remaining.raise_position(&way);
         }
-        if self.orientation_weight > zero {
+        if of_turn != zero {
             equations.remaining.raise_orientation(&turn);
         }
     }

@@ -14,6 +14,7 @@ pub struct Limits<R, const NQ: usize> {
 
 impl<R: Real + PartialOrd, const NQ: usize> Limits<R, NQ> {
     /// No limits.
+    #[must_use]
     pub fn none() -> Self {
         Self {
             lower: [R::from_f64(f64::NEG_INFINITY); NQ],
@@ -22,6 +23,7 @@ impl<R: Real + PartialOrd, const NQ: usize> Limits<R, NQ> {
     }
 
     /// The limits of the model, [`System::LOWER_LIMITS`] and [`System::UPPER_LIMITS`].
+    #[must_use]
     pub fn of<S: System<R, Q = [R; NQ]>>() -> Self {
         let mut limits = Self::none();
         for (limit, given) in limits.lower.iter_mut().zip(S::LOWER_LIMITS) {
@@ -45,8 +47,8 @@ impl<R: Real + PartialOrd, const NQ: usize> Limits<R, NQ> {
         }
     }
 
-    /// Draws each coordinate with two limits between them, and each angle without whose rate is a speed from a full turn; `seed` is
-    /// another one afterwards.
+    /// Draws every coordinate that has two limits from between them. Of the others it draws angles whose rates are speeds, from a full
+    /// turn. Changes `seed` with each draw.
     pub(super) fn draw<S: System<R, Q = [R; NQ]>>(&self, q: &mut [R; NQ], seed: &mut u64) {
         let turns = turns::<R, S, NQ>();
         let ranges = self.lower.into_iter().zip(self.upper).zip(turns);

@@ -1,11 +1,11 @@
 //! Inverse kinematics: coordinates that bring frames to their goals.
 //!
 //! A solver takes [`Goal`]s of one or several frames, [`Limits`], and an initial `q`. It improves `q`, and returns as [`Remaining`] its error
-//! from the goals. No coordinate passes its limits. Nothing allocates, and with generated systems nothing panics. The feature `std` is not needed. The solver does not
-//! avoid collisions, and it does not find every solution.
+//! from the goals. No coordinate passes its limits. Nothing allocates, and with generated systems nothing panics. The feature `std` is not needed.
+//! The solver does not avoid collisions, and it does not find every solution.
 //!
 //! The method is damped least squares (Levenberg, Marquardt). A step is the `u`, for unit time, that minimizes
-//! `|J u - e|² + λ |u|²`. `e` is the error with its weights `W`, and the damping `λ` falls with [`Remaining::weighted`].
+//! `(J u - e)ᵀ W (J u - e) + λ |u|²`. `e` is the error, `W` holds the weights, and the damping `λ` falls with [`Remaining::weighted`].
 //! So steps are short if the goals are far or out of reach, and near the goals each step squares the error. A joint that would
 //! pass its limit is held at it, and the step is computed again for the other joints.
 //!
@@ -62,6 +62,7 @@ pub struct InverseKinematics<R, const NQ: usize> {
 
 /// A step, and the error before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use = "a step moves nothing"]
 pub struct Step<R, const NU: usize> {
     /// The speeds that lead as near to the goals as possible in unit time: rad and m.
     /// Divided by a time they are speeds for a controller.
@@ -72,6 +73,7 @@ pub struct Step<R, const NU: usize> {
 
 impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     /// A solver that respects the limits.
+    #[must_use]
     pub fn new(limits: Limits<R, NQ>) -> Self {
         // In single precision the sum is one.
         let is_double = R::from_f64(1.0 + 1e-9) > R::from_f64(1.0);
@@ -88,6 +90,12 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     }
 
     /// One step from `q`, for control loops.
+    ///
+    /// The damping `λ` is [`Remaining::weighted`] plus the least damping. So unless a limit is met, `|u|`, the root of a sum of squared rad and m,
+    /// is at most `1 / √2`, and toward goals that are far away it is shorter the farther they are. Divided by a short period, `u` can exceed
+    /// the speeds of a robot: limit them. A coordinate beyond its limit is led back to it at once, however far.
+    ///
+    /// `q + u` passes no limit but by rounding; [`Self::advance`] does not even do that.
     pub fn step<S, G, const NU: usize>(&self, system: &S, goals: &G, q: &[R; NQ]) -> Step<R, NU>
     where
         S: System<R, Q = [R; NQ], U = [R; NU]>,
@@ -102,6 +110,7 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
 
     /// The coordinates after a step: [`q_plus`](manifold::q_plus), then every coordinate brought back to within its limits.
     /// Quaternions keep their length; [`scale_quaternions`](manifold::scale_quaternions) gives them length one.
+    #[must_use]
     pub fn advance<S, const NU: usize>(&self, system: &S, q: &[R; NQ], u: &[R; NU]) -> [R; NQ]
     where
         S: System<R, Q = [R; NQ], U = [R; NU]>,

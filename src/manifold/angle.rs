@@ -7,6 +7,9 @@ use crate::{Real, square_root::square_root};
 /// Keeps a quotient of zeros finite: it vanishes beside numbers above `1e-14`, and is a normal number of `f32`.
 const TINY: f64 = 1e-30;
 
+/// 2^-30: beside one nothing in single precision.
+const LAST: f64 = 1.0 / 1_073_741_824.0;
+
 /// The length of a vector of two to four entries; above zero even if all are zero.
 ///
 /// Relative to the sum of the entries' magnitudes it is a number with a square between 1/4 and 1.
@@ -50,11 +53,16 @@ pub(super) fn angle<R: Real>(sine: R, cosine: R) -> R {
     side * nearer + (R::from_f64(1.0) - side) * sign(sine) * quarter
 }
 
-/// 1 or -1, the sign of the number; 1 for zero.
+/// 1 or -1, exactly: the sign of a finite number, also of the least; 1 for zeros of both signs.
 pub(crate) fn sign<R: Real>(number: R) -> R {
-    // What is added is nothing beside a cosine that rounding leaves of a right angle, and the negative of no number that is written.
-    let number = number + R::from_f64(1.234_567_89e-20);
-    number / number.abs()
+    let one = R::from_f64(1.0);
+    // 1 in double precision, 0 in single.
+    let double = (R::from_f64(1.0 + LAST) - one) / R::from_f64(LAST);
+    let least = R::from_f64(1e-300) + (one - double) * R::from_f64(TINY);
+    // The first quotient of the least numbers is small, and every second one is -1, 0 or 1.
+    let once = number / (number.abs() + least);
+    let sign = once / (once.abs() + least);
+    sign + (one - sign * sign)
 }
 
 /// A quotient that is finite where both numbers vanish.

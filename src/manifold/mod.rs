@@ -6,8 +6,8 @@
 //! `NU` numbers of a direction are independent of each other for every kind of joint. Differences, derivatives and gains have `NU` entries.
 //!
 //! All functions use only arithmetic of [`Real`], without branches on numbers, allocation or the platform's arc tangent. So the bits are the
-//! same everywhere, also in lanes, and the module is `no_std`. It depends on a model only through [`System::JOINTS`]. Without this table, the
-//! speeds of a system are taken as rates of its coordinates.
+//! same everywhere, also in lanes, and the module is `no_std`. Of a model it uses [`System::JOINTS`] alone. If a system lacks this table, all
+//! its speeds count as rates of coordinates.
 //!
 //! ```
 //! # #[cfg(feature = "cart_pole")] {
@@ -33,10 +33,11 @@ pub(crate) use turn::of_angles;
 use core::marker::PhantomData;
 
 use crate::joint::Chart;
+use crate::three::Vector;
 use crate::vector::zero;
 use crate::{Array, Joint, Real, System};
 use angle::length;
-use turn::{Quaternion, Vector};
+use turn::Quaternion;
 
 /// An entry; zero beyond the end, which no table reaches, so that no panic remains in a linked program.
 fn entry<R: Real, A: Array<R>>(array: &A, place: usize) -> R {

@@ -3,27 +3,15 @@
 //! For an orientation it is `w + d × w / 2 + d × (d × w) / 12`: the inverse right Jacobian of SO(3), to the order of `d` that a
 //! fourth-order step keeps. For every other speed it is the speed.
 
-use super::turn::{Vector, transposed};
 use super::{combined, put, three_rows, turnings};
-use crate::vector::add_scaled;
+use crate::three::{Vector, cross, transposed};
+use crate::vector::{add_scaled, plus};
 use crate::{Array, Real, System};
-
-fn cross<R: Real>(a: Vector<R>, b: Vector<R>) -> Vector<R> {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
 
 /// `a + b / 2 + c / 12`.
 fn sum<R: Real>(a: Vector<R>, b: Vector<R>, c: Vector<R>) -> Vector<R> {
     let (half, twelfth) = (R::from_f64(0.5), R::from_f64(1.0 / 12.0));
     [0, 1, 2].map(|i| a[i] + (half * b[i] + twelfth * c[i]))
-}
-
-fn plus<R: Real>(a: Vector<R>, b: Vector<R>) -> Vector<R> {
-    [0, 1, 2].map(|i| a[i] + b[i])
 }
 
 /// The rate at the direction `d`, of a system that moves with `u`.
@@ -42,8 +30,8 @@ fn turned<R: Real>(
     (d, w): (Vector<R>, Vector<R>),
     (d_change, w_change): (Vector<R>, Vector<R>),
 ) -> Vector<R> {
-    let once = plus(cross(d_change, w), cross(d, w_change));
-    let twice = plus(cross(d_change, cross(d, w)), cross(d, once));
+    let once = plus(&cross(d_change, w), &cross(d, w_change));
+    let twice = plus(&cross(d_change, cross(d, w)), &cross(d, once));
     sum(w_change, once, twice)
 }
 
@@ -126,7 +114,7 @@ pub(crate) fn back<R: Real, S: System<R>>(
         let (d, w, m) = (joint.turn(d), joint.turn(u), joint.turn(multiplier));
         let once = cross(m, d);
         joint.set(&mut of_u, sum(m, once, cross(once, d)));
-        let twice = plus(cross(cross(d, w), m), cross(w, once));
+        let twice = plus(&cross(cross(d, w), m), &cross(w, once));
         joint.set(&mut of_d, sum([zero; 3], cross(w, m), twice));
     }
     (of_d, of_u)

@@ -3,8 +3,8 @@
 
 use core::fmt;
 
-use super::turn::{self, Matrix, Vector};
-use super::{combined, entry, put, rates, three_rows, turnings};
+use super::{combined, entry, put, rates, three_rows, turn, turnings};
+use crate::three::{Matrix, Vector, times, transposed_times};
 use crate::vector::unit;
 use crate::{Array, Real, System};
 
@@ -20,10 +20,7 @@ pub struct TangentMap<R: Real, S: System<R>> {
 }
 
 // Derived, these would ask the system for the same.
-impl<R: Real + fmt::Debug, S: System<R>> fmt::Debug for TangentMap<R, S>
-where
-    S::Rotations: fmt::Debug,
-{
+impl<R: Real, S: System<R>> fmt::Debug for TangentMap<R, S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("TangentMap")
             .field("diagonal", &self.diagonal)
@@ -99,13 +96,13 @@ impl<R: Real, S: System<R>> TangentMap<R, S> {
     /// The map times a direction.
     #[must_use]
     pub fn times(&self, direction: &S::U) -> S::U {
-        self.mapped(direction, turn::times)
+        self.mapped(direction, times)
     }
 
     /// The transposed map times a multiplier: `a · map(b) = transposed(a) · b`.
     #[must_use]
     pub fn transposed_times(&self, multiplier: &S::U) -> S::U {
-        self.mapped(multiplier, turn::transposed_times)
+        self.mapped(multiplier, transposed_times)
     }
 
     fn mapped(&self, given: &S::U, times: fn(&Matrix<R>, Vector<R>) -> Vector<R>) -> S::U {
@@ -141,8 +138,7 @@ impl<R: Real, S: System<R>> TangentMap<R, S> {
         for joint in turnings::<R, S>() {
             if let Some(block) = self.blocks.as_ref().get(joint.body) {
                 for row in matrix.as_mut() {
-                    let turned =
-                        turn::transposed_times(block, joint.u.map(|place| entry(row, place)));
+                    let turned = transposed_times(block, joint.u.map(|place| entry(row, place)));
                     for (place, own) in joint.u.into_iter().zip(turned) {
                         put(row, place, own);
                     }

@@ -5,19 +5,10 @@
 
 use super::angle::{angle, arc_ratio, guarded, length, sign};
 use crate::Real;
+use crate::three::{Matrix, Vector, square};
 
 /// A unit quaternion.
 pub(crate) type Quaternion<R> = [R; 4];
-
-/// A vector of three components.
-pub(crate) type Vector<R> = [R; 3];
-
-/// A matrix by rows.
-pub(crate) type Matrix<R> = [[R; 3]; 3];
-
-pub(crate) fn transposed<R: Real>(matrix: &Matrix<R>) -> Matrix<R> {
-    [0, 1, 2].map(|i| [0, 1, 2].map(|j| matrix[j][i]))
-}
 
 /// Hamilton's product.
 pub(super) fn product<R: Real>(a: Quaternion<R>, b: Quaternion<R>) -> Quaternion<R> {
@@ -39,11 +30,7 @@ pub(super) fn inverse<R: Real>([e0, e1, e2, e3]: Quaternion<R>) -> Quaternion<R>
 fn half<R: Real>(d: Vector<R>) -> (R, R, R) {
     let angle = length(d);
     let (sine, cosine) = (R::from_f64(0.5) * angle).sin_cos();
-    (
-        sine / angle,
-        cosine,
-        d[0] * d[0] + d[1] * d[1] + d[2] * d[2],
-    )
+    (sine / angle, cosine, square(d))
 }
 
 /// The quaternion of a rotation vector.
@@ -58,8 +45,7 @@ pub(crate) fn log<R: Real>(e: Quaternion<R>) -> Vector<R> {
     let size = length(e);
     let by = sign(e[0] / size) / (size + e[0].abs());
     let quarter = [e[1] * by, e[2] * by, e[3] * by];
-    let square = quarter[0] * quarter[0] + quarter[1] * quarter[1] + quarter[2] * quarter[2];
-    let ratio = R::from_f64(4.0) * arc_ratio(square);
+    let ratio = R::from_f64(4.0) * arc_ratio(square(quarter));
     quarter.map(|entry| ratio * entry)
 }
 
@@ -109,7 +95,7 @@ fn polynomial<R: Real>(d: Vector<R>, a: R, b: R) -> Matrix<R> {
         [d[2], zero, -d[0]],
         [-d[1], d[0], zero],
     ];
-    let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    let square = square(d);
     [0, 1, 2].map(|i| {
         [0, 1, 2].map(|j| {
             let own = if i == j { one - b * square } else { zero };
@@ -139,14 +125,4 @@ pub(crate) fn jacobian_inverse<R: Real>(d: Vector<R>) -> Matrix<R> {
     let (ratio, cosine, square) = half(d);
     let rest = guarded(one - cosine / (two * ratio), square);
     polynomial(d, R::from_f64(0.5), rest)
-}
-
-/// A matrix times a vector.
-pub(super) fn times<R: Real>(matrix: &Matrix<R>, v: Vector<R>) -> Vector<R> {
-    matrix.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
-}
-
-/// A transposed matrix times a vector.
-pub(super) fn transposed_times<R: Real>(matrix: &Matrix<R>, v: Vector<R>) -> Vector<R> {
-    [0, 1, 2].map(|j| matrix[0][j] * v[0] + matrix[1][j] * v[1] + matrix[2][j] * v[2])
 }

@@ -268,6 +268,39 @@ fn groups_that_lie_together_have_the_bits_of_rows() {
     }
 }
 
+/// Mass matrices of groups that lie together against those of each group alone.
+fn matrices_are_those_of_each_group<L: Lanes + PartialEq>(n: usize) {
+    let (batch, system) = (Batch::<L>::new(n), Prepared::<L>::nominal());
+    let states = States::<L::Scalar>::new(n);
+    let zero = L::from_f64(0.0);
+    let mut q = vec![[zero; NQ]; batch.n_groups()];
+    batch.to_groups(&states.q, &mut q).unwrap();
+    let mut m = vec![[[zero; NU]; NU]; batch.n_groups()];
+    let mut entries = vec![[zero; MASS_MATRIX_PACKED_LEN]; batch.n_groups()];
+    batch.mass_matrix_of_groups(&system, &q, &mut m).unwrap();
+    batch
+        .mass_matrix_packed_of_groups(&system, &q, &mut entries)
+        .unwrap();
+    for (q, (m, entries)) in q.iter().zip(m.iter().zip(&entries)) {
+        let mut alone = [[zero; NU]; NU];
+        system.mass_matrix(q, &mut alone);
+        assert_eq!(m, &alone);
+        assert!(m[0][0] != zero);
+        let mut alone = [zero; MASS_MATRIX_PACKED_LEN];
+        system.mass_matrix_packed(q, &mut alone);
+        assert_eq!(entries, &alone);
+    }
+    let short = batch.mass_matrix_of_groups(&system, &q[1..], &mut m);
+    assert_eq!(short.unwrap_err().argument, "q");
+}
+
+#[test]
+fn mass_matrices_of_groups_are_those_of_each_group() {
+    matrices_are_those_of_each_group::<f64>(3);
+    #[cfg(feature = "wide")]
+    matrices_are_those_of_each_group::<kane::wide::f64x4>(7);
+}
+
 #[test]
 fn slices_without_an_array_for_each_group_are_refused() {
     let (batch, system) = (Batch::<f64>::new(2), Prepared::<f64>::nominal());

@@ -1,6 +1,7 @@
 //! Conversion between charts, against products of rotations about the axes and against finite differences.
 
-use kane::chart::Turning;
+use kane::chart::{ConvertError, Turning, convert};
+use kane::{Chart, Joint, Load, System};
 use kane_test_support::{
     compare::{Tolerance, assert_close},
     random::Random,
@@ -132,5 +133,92 @@ fn the_angular_velocity_is_that_of_the_turning_body() {
         // The differences are right to h² times third derivatives below 100, and rounding over h.
         let expected = [tilde[2][1], tilde[0][2], tilde[1][0]];
         assert_close("angular velocity", &w, &expected, Tolerance::absolute(1e-8));
+    }
+}
+
+/// A system of one joint called `ball`.
+macro_rules! of_one_joint {
+    ($name:ident: $n_q:literal, $n_u:literal, $chart:ident, $q:expr, $u:expr) => {
+        struct $name;
+
+        impl System<f64> for $name {
+            type Q = [f64; $n_q];
+            type U = [f64; $n_u];
+            type Matrix = [[f64; $n_u]; $n_u];
+            type Loads = [Load<f64>; 1];
+            type Scalars = [f64; 1];
+            type Vectors = [[f64; 3]; 1];
+            type Rotations = [[[f64; 3]; 3]; 1];
+
+            const NAME: &'static str = stringify!($name);
+            const BODY_NAMES: &'static [&'static str] = &["body"];
+            const COORDINATE_NAMES: &'static [&'static str] = &[""; $n_q];
+            const SPEED_NAMES: &'static [&'static str] = &[""; $n_u];
+            const LOWER_BODIES: &'static [usize] = &[0];
+            const SPEED_BODIES: &'static [usize] = &[0; $n_u];
+            const JOINTS: &'static [Joint] = &[Joint {
+                name: "ball",
+                chart: Chart::$chart,
+                q: $q,
+                u: $u,
+            }];
+
+            fn q_dot(&self, _: &Self::Q, _: &Self::U, _: &mut Self::Q) {}
+        }
+    };
+}
+
+const THREE: [Option<usize>; 6] = [Some(0), Some(1), Some(2), None, None, None];
+of_one_joint!(Angles: 3, 3, Angles, [Some(0), Some(1), Some(2), None, None, None, None], THREE);
+of_one_joint!(Quaternion: 4, 3, EulerParameters, [Some(0), Some(1), Some(2), Some(3), None, None, None], THREE);
+of_one_joint!(XY: 2, 2, AngleRates, [Some(0), Some(1), None, None, None, None, None], [Some(0), Some(1), None, None, None, None]);
+of_one_joint!(XZ: 2, 2, AngleRates, [Some(0), None, Some(1), None, None, None, None], [Some(0), None, Some(1), None, None, None]);
+of_one_joint!(BeyondQ: 3, 3, Angles, [Some(0), Some(1), Some(3), None, None, None, None], THREE);
+of_one_joint!(BeyondU: 3, 2, Angles, [Some(0), Some(1), Some(2), None, None, None, None], THREE);
+
+#[test]
+fn joints_of_one_name_that_lock_another_axis_are_others() {
+    let other = Some(ConvertError::OtherJoints { joint: 0 });
+    assert_eq!(convert::<XY, XZ>(&[0.1; 2], &[0.2; 2]).err(), other);
+    assert_eq!(convert::<XY, Angles>(&[0.1; 2], &[0.2; 2]).err(), other);
+    let same = convert::<XY, XY>(&[0.1, 0.2], &[0.3, 0.4]);
+    assert_eq!(same, Ok(([0.1, 0.2], [0.3, 0.4])));
+}
+
+#[test]
+fn places_that_a_state_has_not_are_refused_on_either_side() {
+    let other = Some(ConvertError::OtherJoints { joint: 0 });
+    assert_eq!(
+        convert::<BeyondQ, Angles>(&[0.1; 3], &[0.2; 3]).err(),
+        other
+    );
+    assert_eq!(
+        convert::<Angles, BeyondQ>(&[0.1; 3], &[0.2; 3]).err(),
+        other
+    );
+    assert_eq!(
+        convert::<BeyondU, Angles>(&[0.1; 3], &[0.2; 2]).err(),
+        other
+    );
+    assert_eq!(
+        convert::<Quaternion, BeyondU>(&[0.5; 4], &[0.2; 3]).err(),
+        other
+    );
+}
+
+#[test]
+fn a_quaternion_of_any_length_has_the_angles_of_its_orientation() {
+    let (theta, w) = ([0.4, -0.7, 1.1], [0.3, -0.2, 0.1]);
+    let Turning { e, .. } = Turning::from_angles(theta, w);
+    let rounded = Tolerance::absolute(1e-15);
+    for length in [1.0, 2.0, 0.01] {
+        let found = convert::<Quaternion, Angles>(&e.map(|entry| length * entry), &w);
+        let Ok((angles, speeds)) = found else {
+            panic!("{found:?}")
+        };
+        assert_close(length, &angles, &theta, rounded);
+        assert_eq!(speeds, w);
+        let back = convert::<Angles, Quaternion>(&angles, &w).map_or([f64::NAN; 4], |(q, _)| q);
+        assert_close(length, &back, &e, rounded);
     }
 }

@@ -201,3 +201,29 @@ fn nan_and_infinity_never_pass() {
         "the derivative of speed `rotor_theta1_dot` of body `rotor` is NaN, a finite number is required"
     );
 }
+
+#[test]
+fn results_that_are_infinite_are_refused() {
+    let largest = f64::MAX;
+    for (tau, pivot) in [(f64::INFINITY, 1.0), (-largest, 0.5)] {
+        let system = Gimbal {
+            pivots: [1.0, 1.0, 1.0, pivot],
+        };
+        let (tau, mut u_dot) = ([0.0, 0.0, 0.0, tau], [9.0; 4]);
+        let (q, u) = ([0.0; 4], [0.0; 4]);
+        let result = forward_dynamics(&system, &q, &u, &tau, &mut u_dot, &Limits::default());
+        let expected = CheckError::NotFinite {
+            body: "rotor",
+            speed: "rotor_theta3_dot",
+            u_dot: f64::INFINITY.copysign(tau[3]),
+        };
+        assert_eq!(result, Err(expected));
+        assert_eq!(u_dot, [9.0; 4]);
+    }
+    // The largest numbers are numbers.
+    let (tau, mut u_dot) = ([largest; 4], [9.0; 4]);
+    let (system, zero) = (Gimbal { pivots: [1.0; 4] }, [0.0; 4]);
+    let result = forward_dynamics(&system, &zero, &zero, &tau, &mut u_dot, &Limits::default());
+    assert_eq!(result, Ok(()));
+    assert_eq!(u_dot, [largest; 4]);
+}

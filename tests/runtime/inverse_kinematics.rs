@@ -1,9 +1,9 @@
 //! Inverse kinematics of two systems by hand: a gantry, whose steps have a closed form, and a wrist of one axis.
 
 use kane::functions::{Jacobian, Pose};
-use kane::inverse_kinematics::{Goal, InverseKinematics, Limits};
+use kane::inverse_kinematics::{Goal, InverseKinematics, Limits, Step};
 use kane::{Chart, Joint, Load, Real, System};
-use kane_test_support::compare::{assert_within, distance};
+use kane_test_support::compare::{Tolerance, assert_close, assert_within, distance};
 
 use crate::common::{Turning, one_coordinate};
 
@@ -119,6 +119,139 @@ fn a_joint_stops_at_its_limit_and_the_others_go_on() {
     let goal = Goal::<f64, Tool>::position([0.1, 0.6, -3.0]);
     let remaining = solver.solve(&Gantry, &goal, &mut q, 50);
     assert!(remaining.is_within(1e-6), "{remaining:?}");
+}
+
+/// The length of the step to a goal that is this far, with its least damping.
+fn step_length(away: f64, weight: f64) -> f64 {
+    let solver = InverseKinematics::new(Limits::none());
+    let goal = Goal::<f64, Tool>::position([0.6 * away, 0.0, -0.8 * away]).weighing(weight, 0.0);
+    let step = solver.step::<_, _, 3>(&Gantry, &goal, &[0.0; 3]);
+    step.u.iter().map(|u| u * u).sum::<f64>().sqrt()
+}
+
+#[test]
+fn steps_are_no_longer_than_told_however_far_the_goal_is() {
+    let longest = 0.5_f64.sqrt();
+    for weight in [1e-9, 1.0, 1e9] {
+        for exponent in -40..=80 {
+            let length = step_length(f64::from(exponent).exp2(), weight);
+            assert!(length <= longest + 1e-15, "{length} at {exponent}");
+        }
+        assert_within(
+            "longest",
+            step_length(2.0_f64.sqrt(), weight) - longest,
+            1e-11,
+        );
+        // Far away it is shorter.
+        assert!(step_length(1e3, weight) < 0.01);
+    }
+}
+
+#[test]
+fn near_a_goal_each_step_squares_the_error_at_least() {
+    let solver = InverseKinematics::new(Limits::none());
+    let hinge = Hinge { axis: 1 };
+    for away in [0.3, 0.1, 1e-2, 1e-3, 1e-4] {
+        let mut rotation = IDENTITY;
+        hinge.pose(&[0.5 + away], &mut rotation, &mut [0.0; 3]);
+        let step = solver.step(&hinge, &Goal::<f64, Tool>::orientation(rotation), &[0.5]);
+        assert_within(away, step.u[0] - away, away * away);
+    }
+}
+
+#[test]
+fn an_advance_ends_at_the_limit_exactly() {
+    let solver = InverseKinematics::new(Limits::of::<Gantry>());
+    for begin in [0.1, 0.2, 0.3, 0.4] {
+        let q = [begin, -0.5, 0.0];
+        // A sum may pass the limit by rounding, and a longer step by more.
+        for beyond in [0.0, 1e-16, 0.2] {
+            let next = solver.advance(&Gantry, &q, &[0.5 - begin + beyond, -2.0, 7.0]);
+            assert!(next[0] <= 0.5 && next[0] >= 0.5 - 1e-16, "{next:?}");
+            assert_eq!(next[1..], [-1.0, 7.0]);
+        }
+    }
+}
+
+#[test]
+fn a_goal_for_the_orientation_leaves_the_position_free() {
+    let rotation = kane::rotation::exp(&[0.1, 0.2, 0.3]);
+    let goal = Goal::<f64, Tool>::orientation(rotation);
+    assert_eq!(goal, Goal::pose(rotation, [0.0; 3]).weighing(0.0, 1.0));
+    let step = InverseKinematics::new(Limits::none()).step(&Gantry, &goal, &[3.0; 3]);
+    assert_eq!(step.u, [0.0; 3]);
+    assert_eq!(step.remaining.position, 0.0);
+    assert!(step.remaining.orientation > 0.1);
+}
+
+#[test]
+fn negative_weights_count_as_zero_and_nan_reaches_nothing() {
+    let solver = InverseKinematics::new(Limits::none());
+    let goal = Goal::<f64, Tool>::pose(kane::rotation::exp(&[0.1, 0.2, 0.3]), [1.0, 2.0, 0.0]);
+    let step = |position, orientation| -> Step<f64, 3> {
+        solver.step(&Gantry, &goal.weighing(position, orientation), &[0.0; 3])
+    };
+    assert_eq!(step(-2.0, 3.0), step(0.0, 3.0));
+    assert_eq!(step(2.0, -3.0), step(2.0, 0.0));
+    for weights in [(f64::NAN, 0.0), (0.0, f64::NAN), (1.0, f64::NAN)] {
+        let unknown = goal.weighing(weights.0, weights.1);
+        let mut q = [0.5; 3];
+        let remaining = solver.solve(&Gantry, &unknown, &mut q, 20);
+        assert_eq!(q, [0.5; 3]);
+        assert!(remaining.weighted.is_nan() && !remaining.is_within(0.1));
+        assert!(step(weights.0, weights.1).u[0].is_nan());
+    }
+}
+
+/// Two sliders along the same axis, the first of which has a limit.
+struct Telescope;
+
+impl System<f64> for Telescope {
+    type Q = [f64; 2];
+    type U = [f64; 2];
+    type Matrix = [[f64; 2]; 2];
+    type Loads = [Load<f64>; 2];
+    type Scalars = [f64; 2];
+    type Vectors = [[f64; 3]; 2];
+    type Rotations = [[[f64; 3]; 3]; 2];
+
+    const NAME: &'static str = "telescope";
+    const BODY_NAMES: &'static [&'static str] = &["tube", "tool"];
+    const COORDINATE_NAMES: &'static [&'static str] = &["tube", "tool"];
+    const SPEED_NAMES: &'static [&'static str] = &["tube_dot", "tool_dot"];
+    const LOWER_BODIES: &'static [usize] = &[0, 1];
+    const SPEED_BODIES: &'static [usize] = &[0, 1];
+    const UPPER_LIMITS: &'static [f64] = &[0.1, f64::INFINITY];
+
+    fn q_dot(&self, _: &[f64; 2], u: &[f64; 2], q_dot: &mut [f64; 2]) {
+        *q_dot = *u;
+    }
+}
+
+impl Pose<f64, Tool> for Telescope {
+    fn pose(&self, q: &[f64; 2], rotation: &mut [[f64; 3]; 3], position: &mut [f64; 3]) {
+        (*rotation, *position) = (IDENTITY, [q[0] + 2.0 * q[1], 0.0, 0.0]);
+    }
+}
+
+impl Jacobian<f64, Tool> for Telescope {
+    const SPEEDS: &'static [usize] = &[0, 1];
+
+    fn jacobian(&self, _: &[f64; 2], linear: &mut [[f64; 2]; 3], angular: &mut [[f64; 2]; 3]) {
+        (*linear, *angular) = ([[0.0; 2]; 3], [[0.0; 2]; 3]);
+        linear[0] = [1.0, 2.0];
+    }
+}
+
+#[test]
+fn what_a_joint_held_at_its_limit_does_counts_for_the_others() {
+    let solver = InverseKinematics::new(Limits::of::<Telescope>());
+    let goal = Goal::<f64, Tool>::position([1.0, 0.0, 0.0]);
+    let step = solver.step(&Telescope, &goal, &[0.0; 2]);
+    // The least of `(0.1 + 2 u - 1)² + λ u²`.
+    let damping = 0.5 + 4.0 * solver.least_damping;
+    let expected = [0.1, 2.0 * (1.0 - 0.1) / (4.0 + damping)];
+    assert_close("u", &step.u, &expected, Tolerance::absolute(1e-15));
 }
 
 /// A hinge about one axis of the inertial frame, by number.

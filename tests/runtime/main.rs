@@ -6,6 +6,7 @@ mod batch;
 mod chart;
 mod checked;
 mod common;
+mod conditions;
 mod integrate;
 mod inverse_kinematics;
 #[cfg(feature = "wide")]

@@ -1,7 +1,7 @@
 //! Motions of unit time: against integrated rates, back again, and their derivatives against differences of order 12.
 
-use kane::System;
 use kane::manifold::{TangentMap, q_minus, q_plus, scale_quaternions};
+use kane::{Real, System};
 use kane_test_support::{
     compare::{Tolerance, assert_close},
     numeric::derivative,
@@ -103,6 +103,59 @@ fn q_minus_is_the_way_that_q_plus_went() {
                 &d[..3],
                 Tolerance::absolute(1e-14 / away),
             );
+        }
+    }
+}
+
+/// The turn about x of an orientation whose scalar part is this small, as its sign tells.
+fn half_turn<R: Real + Into<f64>>(scalar: f64) -> [f64; 3] {
+    let numbers = |e: [f64; 4]| {
+        let mut q = [R::from_f64(0.0); 11];
+        for (place, entry) in q[4..8].iter_mut().zip(e) {
+            *place = R::from_f64(entry);
+        }
+        q
+    };
+    let (from, to) = (
+        numbers([1.0, 0.0, 0.0, 0.0]),
+        numbers([scalar, 1.0, 0.0, 0.0]),
+    );
+    let direction = q_minus(&Turning, &from, &to);
+    [direction[3], direction[4], direction[5]].map(Into::into)
+}
+
+#[test]
+fn half_a_turn_goes_the_way_that_the_sign_of_a_tiny_number_tells() {
+    let pi = std::f64::consts::PI;
+    for tiny in [
+        0.0,
+        5e-324,
+        1e-310,
+        1e-300,
+        1e-290,
+        1e-45,
+        1e-40,
+        1e-30,
+        1e-25,
+        1.234_567_89e-20,
+        1.234_567_9e-20,
+        1e-19,
+        1e-17,
+    ] {
+        let double = Tolerance::absolute(2e-15);
+        let single = Tolerance::absolute(1e-6);
+        for (scalar, way) in [(tiny, pi), (-tiny, if tiny > 0.0 { -pi } else { pi })] {
+            let expected = [way, 0.0, 0.0];
+            let what = format!("{scalar:e}");
+            assert_close(&what, &half_turn::<f64>(scalar), &expected, double);
+            // What single precision rounds to zero has no sign.
+            #[expect(
+                clippy::cast_possible_truncation,
+                reason = "what single precision holds"
+            )]
+            let is_zero = scalar as f32 == 0.0;
+            let expected = [if is_zero { pi } else { way }, 0.0, 0.0];
+            assert_close(&what, &half_turn::<f32>(scalar), &expected, single);
         }
     }
 }

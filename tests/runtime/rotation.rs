@@ -13,6 +13,9 @@ use kane_test_support::{
 /// Of vectors no longer than 2, each from some thirty operations.
 const TOLERANCE: Tolerance = Tolerance::absolute(1e-14);
 
+/// The same in single precision.
+const SINGLE: Tolerance = Tolerance::absolute(2e-6);
+
 #[test]
 fn error_is_about_the_axis_of_the_shorter_way_and_twice_the_sine_of_half_the_angle() {
     let mut random = Random::new(7);
@@ -56,6 +59,12 @@ fn axis(random: &mut Random) -> Vector {
 
 fn rows(matrix: &Rotation) -> &[f64] {
     matrix.as_flattened()
+}
+
+/// The product of two matrices in single precision.
+fn product_of(a: &[[f32; 3]; 3], b: &[[f32; 3]; 3]) -> Rotation {
+    let [a, b] = [a, b].map(|matrix| matrix.map(|row| row.map(f64::from)));
+    product(&a, &b)
 }
 
 /// A matrix whose columns are these derivatives along the three axes.
@@ -179,6 +188,51 @@ fn errors_and_differences_change_with_both_orientations() {
             let back = by_axes(|w| derivative(|t| of(&turned(&from, w, t), &to).to_vec()));
             let by_from = transposed(&by_to).map(|row| row.map(|entry| -entry));
             assert_close(&what, rows(&by_from), rows(&back), DIFFERENCED);
+        }
+    }
+}
+
+#[test]
+fn vectors_in_single_precision_come_back_near_none_and_half_a_turn() {
+    let single = |entries: [f64; 3]| entries.map(<f32 as kane::Real>::from_f64);
+    let mut random = Random::new(17);
+    for angle in [
+        0.0,
+        1e-30,
+        1e-9,
+        1e-4,
+        1e-2,
+        1.5,
+        PI - 1e-2,
+        PI - 1e-4,
+        PI - 1e-6,
+    ] {
+        for _ in 0..100 {
+            let vector = single(scaled(angle, axis(&mut random)));
+            let rotation = exp(&vector);
+            let expected = about(unit(vector.map(f64::from)), angle);
+            let entries: Vec<f64> = rotation
+                .as_flattened()
+                .iter()
+                .copied()
+                .map(f64::from)
+                .collect();
+            if angle > 0.0 {
+                assert_close(angle, &entries, rows(&expected), SINGLE);
+            }
+            let part = if angle < 1e-3 { 1e-6 * angle } else { 1e-6 };
+            let found = log(&rotation).map(f64::from);
+            // So near half a turn both ways are the same.
+            let back = vector.map(f64::from);
+            let ahead = dot(found, back) >= 0.0 || angle < PI - 1e-5;
+            let expected = if ahead {
+                back
+            } else {
+                scaled(1.0 - 2.0 * PI / angle, back)
+            };
+            assert_close(angle, &found, &expected, Tolerance::absolute(part));
+            let product = product_of(&exp_jacobian(&vector), &log_jacobian(&vector));
+            assert_close(angle, rows(&product), rows(&exp(&[0.0; 3])), SINGLE);
         }
     }
 }

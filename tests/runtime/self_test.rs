@@ -7,6 +7,8 @@ use kane::self_test::{
 
 use crate::common::{CartPole, Faulty, Wrong};
 
+mod tolerances;
+
 const INF: f64 = f64::INFINITY;
 
 #[test]
@@ -71,7 +73,11 @@ fn a_mass_matrix_is_finite() {
 fn each_check_finds_a_term_that_is_wrong_by_a_thousandth() {
     let (q, u, u_dot) = ([0.1, 0.7], [0.4, 1.3], [-0.6, 0.9]);
     let checks = |wrong| {
-        let of = |mass| Faulty { mass, wrong };
+        let of = |mass| Faulty {
+            mass,
+            wrong,
+            part: 1e-3,
+        };
         let at = of(0.4);
         [
             forward_undoes_inverse(&at, &q, &u, &u_dot),
@@ -88,6 +94,7 @@ fn each_check_finds_a_term_that_is_wrong_by_a_thousandth() {
         (Wrong::Weight, [false, false, true, true]),
         (Wrong::Coriolis, [false, false, false, true]),
         (Wrong::Linearity, [false, false, true, false]),
+        (Wrong::Mass, [false, false, false, true]),
     ] {
         assert_eq!(checks(Some(wrong)), expected, "{wrong:?}");
     }

@@ -9,10 +9,10 @@
 use std::cell::Cell;
 
 use crate::common::{CartPole, Oscillator, Pendulum, Turning};
-use kane::Real;
 use kane::functions::{ForwardDynamics, KineticEnergy, PotentialEnergy};
 use kane::simulate::{Sample, SimulateError, Tolerance, simulate};
-use kane_test_support::compare::largest;
+use kane::{Load, Real, System};
+use kane_test_support::compare::{assert_within, largest};
 
 fn tolerance(relative: f64) -> Tolerance {
     Tolerance {
@@ -192,6 +192,82 @@ fn close_times_do_not_slow_the_steps_after_them() {
         with_close < alone + 100,
         "{with_close} calls, {alone} without"
     );
+}
+
+/// A slider of 1000 m/s, from zero at the first of these times: how far it is from where it should be at most, in roundings of that place.
+fn slider_error(times: &[f64]) -> f64 {
+    let system = Oscillator { stiffness: 0.0 };
+    let tolerance = Tolerance::default();
+    let samples = simulate(&system, &[0.0], &[1e3], |_, _, _, _| {}, times, &tolerance).unwrap();
+    assert_eq!(samples.len(), times.len());
+    let error = |sample: &Sample<[f64; 1], [f64; 1]>| {
+        let expected = 1e3 * (sample.t - times[0]);
+        // Where time itself is rounded, the place is as well.
+        let rounding = f64::EPSILON * (expected.abs() + 1e3 * sample.t.abs());
+        (sample.q[0] - expected) / (rounding + f64::MIN_POSITIVE)
+    };
+    largest(&samples.iter().map(error).collect::<Vec<_>>())
+}
+
+#[test]
+fn close_times_have_their_own_states_however_late_the_last_is() {
+    for times in [
+        &[0.0, 1e-12, 1e4][..],
+        &[0.0, 1e-300, 1e-20, 1e-12, 2e-12, 1.0, 1e9],
+        // After long steps, and before a time near zero.
+        &[0.0, 1e4, 1e4 + 2e-11, 1e4 + 4e-11, 2e4],
+        &[-1e4, 1e-20, 1e-12, 1e4],
+    ] {
+        let error = slider_error(times);
+        assert!(error < 20.0, "{error} roundings at {times:?}");
+    }
+}
+
+#[test]
+fn times_too_close_for_the_integrator_after_a_long_step_have_their_own_states() {
+    let system = Oscillator { stiffness: 0.0 };
+    let times = [0.0, 1e4, 1e4 + 2e-11, 1e4 + 4e-11];
+    let law = |_: f64, _: &[f64; 1], _: &[f64; 1], _: &mut [f64; 1]| {};
+    let samples = simulate(&system, &[0.0], &[1e3], law, &times, &Tolerance::default()).unwrap();
+    for ends in samples[1..].windows(2) {
+        let (way, time) = (ends[1].q[0] - ends[0].q[0], ends[1].t - ends[0].t);
+        // Neighbouring numbers are 1.9e-9 apart there.
+        assert_within(ends[1].t, way - 1e3 * time, 2e-9);
+    }
+}
+
+/// A system that cannot move.
+struct Fixed;
+
+impl System<f64> for Fixed {
+    type Q = [f64; 0];
+    type U = [f64; 0];
+    type Matrix = [[f64; 0]; 0];
+    type Loads = [Load<f64>; 0];
+    type Scalars = [f64; 0];
+    type Vectors = [[f64; 3]; 0];
+    type Rotations = [[[f64; 3]; 3]; 0];
+
+    const NAME: &'static str = "fixed";
+    const BODY_NAMES: &'static [&'static str] = &[];
+    const COORDINATE_NAMES: &'static [&'static str] = &[];
+    const SPEED_NAMES: &'static [&'static str] = &[];
+    const LOWER_BODIES: &'static [usize] = &[];
+    const SPEED_BODIES: &'static [usize] = &[];
+
+    fn q_dot(&self, _: &[f64; 0], _: &[f64; 0], _: &mut [f64; 0]) {}
+}
+
+impl ForwardDynamics<f64> for Fixed {
+    fn forward_dynamics(&self, _: &[f64; 0], _: &[f64; 0], _: &[f64; 0], _: &mut [f64; 0]) {}
+}
+
+#[test]
+fn a_system_without_coordinates_has_a_sample_at_each_time() {
+    let times = [0.0, 1.0, 2.5];
+    let tolerance = Tolerance::default();
+    let samples = simulate(&Fixed, &[], &[], |_, _, _, _| {}, &times, &tolerance).unwrap();
+    assert_eq!(samples, times.map(|t| Sample { t, q: [], u: [] }));
 }
 
 #[test]

@@ -9,7 +9,7 @@
 
 use std::{array::from_fn, fmt};
 
-use kane::{integrate::rk4_step_with, rotation};
+use kane::{integrate::rk4_step_with, rotation, view};
 use nalgebra::{SMatrix, SVector};
 
 use crate::{
@@ -114,13 +114,7 @@ impl Hand {
     fn new(robot: &Prepared<Scalar>, q: &[Scalar; NQ]) -> Self {
         let (mut linear, mut angular) = ([[0.0; NU]; 3], [[0.0; NU]; 3]);
         panda::payload_jacobian(robot, q, &mut linear, &mut angular);
-        let jacobian = SMatrix::<Scalar, 6, NU>::from_fn(|i, j| {
-            if i < 3 {
-                linear[i][j]
-            } else {
-                angular[i - 3][j]
-            }
-        });
+        let jacobian = view::stacked(&linear, &angular);
         let mut inverse = [[0.0; NU]; NU];
         panda::mass_matrix_inverse(robot, q, &mut inverse);
         let response = SMatrix::<Scalar, NU, NU>::from(inverse) * jacobian.transpose();

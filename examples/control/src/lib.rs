@@ -18,6 +18,7 @@ pub mod swing_up;
 
 mod calls;
 mod desired;
+#[path = "../../common/noise.rs"]
 mod noise;
 
 pub use calls::CallTimes;

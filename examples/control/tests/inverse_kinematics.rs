@@ -279,7 +279,7 @@ fn nothing_is_allocated() {
     let goals = stance(&system, &standing(&mut draws));
     let mut q = standing(&mut draws);
     let allocations = measure(|| {
-        solver.search(&system, &goals, &mut q, 10, 3);
+        let _ = solver.search(&system, &goals, &mut q, 10, 3);
     });
     assert_eq!(allocations.count_total, 0);
 }

@@ -36,6 +36,7 @@ pub mod report;
 pub mod stack;
 
 mod names;
+#[path = "../../common/noise.rs"]
 mod noise;
 
 pub use arms::Arm;

@@ -23,6 +23,7 @@ pub mod reach;
 pub mod riccati;
 pub mod swing_up;
 
+#[path = "../../common/noise.rs"]
 mod noise;
 
 pub use noise::Noise;

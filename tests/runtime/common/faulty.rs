@@ -5,11 +5,13 @@ use kane::{Load, System};
 
 use super::CartPole;
 
-/// A cart and a pole of which one term may be wrong by a thousandth.
+/// A cart and a pole of which one term may be wrong.
 #[derive(Clone, Copy)]
 pub(crate) struct Faulty {
     pub(crate) mass: f64,
     pub(crate) wrong: Option<Wrong>,
+    /// By what part the term is wrong.
+    pub(crate) part: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +21,7 @@ pub(crate) enum Wrong {
     Weight,
     Energy,
     Linearity,
+    Mass,
 }
 
 impl Faulty {
@@ -29,9 +32,18 @@ impl Faulty {
         }
     }
 
+    /// Zero, or by what part a wrong term is wrong.
+    fn part(self, term: Wrong) -> f64 {
+        if self.wrong == Some(term) {
+            self.part
+        } else {
+            0.0
+        }
+    }
+
     /// One, or what a wrong term is multiplied with.
     fn factor(self, term: Wrong) -> f64 {
-        if self.wrong == Some(term) { 1.001 } else { 1.0 }
+        1.0 + self.part(term)
     }
 }
 
@@ -59,6 +71,7 @@ impl System<f64> for Faulty {
 impl MassMatrix<f64> for Faulty {
     fn mass_matrix(&self, q: &[f64; 2], m: &mut [[f64; 2]; 2]) {
         self.right().mass_matrix(q, m);
+        m[0][0] += self.part(Wrong::Mass) * q[0];
     }
 }
 
@@ -85,9 +98,7 @@ impl InverseDynamics<f64> for Faulty {
         for (tau, row) in tau.iter_mut().zip(m) {
             *tau += row[0] * u_dot[0] + row[1] * u_dot[1];
         }
-        if self.wrong == Some(Wrong::Linearity) {
-            tau[0] += 1e-3 * self.mass * self.mass;
-        }
+        tau[0] += self.part(Wrong::Linearity) * self.mass * self.mass;
     }
 }
 

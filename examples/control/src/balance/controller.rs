@@ -2,7 +2,7 @@
 
 use std::array::from_fn;
 
-use kane::rotation;
+use kane::{rotation, view};
 use nalgebra::{SMatrix, SVector};
 
 use super::{
@@ -230,13 +230,7 @@ impl Balance {
             rotation,
             momentum: momentum.map(|row| (0..NU).map(|j| row[j] * u[j]).sum()),
             angular_velocity,
-            rates: Matrix::from_fn(|i, j| {
-                if i < 3 {
-                    momentum[i][j]
-                } else {
-                    angular[i - 3][j]
-                }
-            }),
+            rates: view::stacked(&momentum, &angular),
             drift: Vector::from_fn(|i, _| {
                 if i < 3 {
                     force[i]

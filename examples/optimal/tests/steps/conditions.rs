@@ -91,3 +91,20 @@ fn driven_joints_move_as_they_are_told() {
     assert_close("q", &found.0, &free.0, ROUNDED);
     assert_close("u", &found.1, &free.1, ROUNDED);
 }
+
+#[test]
+fn loads_on_a_driven_system_are_forces_at_the_state() {
+    let system = &tumbler::Prepared::<f64>::nominal();
+    let (loads, u_dot) = (loads(), [1.5; tumbler::NU]);
+    let at = drawn(system, 26, 0.3, 0.02);
+    let mut of_loads = [f64::NAN; tumbler::NU];
+    system.generalized_forces(&at.q, &loads, &mut of_loads);
+    let tau = std::array::from_fn(|i| at.tau[i] + of_loads[i]);
+    let (mut found, mut back) = ([f64::NAN; tumbler::NU], [f64::NAN; tumbler::NU]);
+    Driven { system, u_dot }.forward_dynamics(&at.q, &at.u, &tau, &mut found);
+    Loaded { system, loads }.inverse_dynamics(&at.q, &at.u, &found, &mut back);
+    // The last speed is driven.
+    let free = tumbler::NU - 1;
+    assert_close("tau", &back[..free], &at.tau[..free], ROUNDED);
+    assert_close("u_dot", &found[free..], &u_dot[free..], ROUNDED);
+}

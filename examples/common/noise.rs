@@ -1,4 +1,4 @@
-//! Noise of what is measured, and chance.
+//! Noise of what is measured, and chance; for several examples.
 
 /// Numbers that nobody foresees, but for being the same in every run.
 #[derive(Clone, Copy, Debug)]
@@ -11,7 +11,7 @@ impl Noise {
     }
 
     /// Even from 0 to 1.
-    fn even(&mut self) -> f64 {
+    pub fn even(&mut self) -> f64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
