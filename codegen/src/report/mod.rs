@@ -16,6 +16,7 @@ mod pattern;
 mod picture;
 mod places;
 mod svg;
+mod turned;
 
 pub use crate::listing::Counted;
 pub use compare::{Change, Comparison, compare, counted, differs_in_layout_only};
@@ -29,3 +30,4 @@ pub use partitions::{Cell, Partitions, partitions};
 pub use pattern::mass_matrix_pattern;
 pub use picture::picture;
 pub use svg::svg;
+pub use turned::turned;

@@ -10,6 +10,7 @@ mod check;
 mod companions;
 mod convert;
 mod diff;
+mod diff_of_names;
 mod diff_of_places;
 mod eval;
 mod eval_state;

@@ -35,7 +35,8 @@ impl Report {
     pub(super) fn new(names: [&str; 2], [old, new]: [&Described; 2]) -> Result<Self, Failures> {
         let functions = report::compare(&old.text, &new.text).map_err(Failures::message)?;
         let redeclared = report::redeclared(&old.text, &new.text).map_err(Failures::message)?;
-        let meanings = report::meanings(&old.text, &new.text).map_err(Failures::message)?;
+        let mut meanings = report::meanings(&old.text, &new.text).map_err(Failures::message)?;
+        meanings.extend(report::turned(&old.outline, &new.outline));
         let texts = [old, new].map(|known| known.text.as_str());
         let diff = TextDiff::new(texts[0], texts[1]);
         let is_same = texts[0] == texts[1];
@@ -57,7 +58,7 @@ impl Report {
         })
     }
 
-    /// True where an array's places changed or mean something else, or where a function is gone or has other arguments.
+    /// True where an array's places or their names changed, or mean something else, or where a function is gone or has other arguments.
     pub(super) fn is_breaking(&self) -> bool {
         self.differences.is_breaking() || !(self.redeclared.is_empty() && self.meanings.is_empty())
     }

@@ -33,6 +33,7 @@ pub(super) fn of_report(report: &Report) -> Value {
         "bodies": {
             "added": differences.added.iter().map(body).collect::<Value>(),
             "removed": differences.removed.iter().map(body).collect::<Value>(),
+            "renamed": differences.renamed.iter().map(renamed).collect::<Value>(),
         },
         "values": differences.values.iter().map(value_change).collect::<Value>(),
         "functions": {
@@ -75,6 +76,10 @@ fn layout(change: &LayoutChange) -> Value {
 
 fn body(body: &Body) -> Value {
     json!({ "name": body.name, "values": body.values })
+}
+
+fn renamed([old, new]: &[String; 2]) -> Value {
+    json!({ "old": old, "new": new })
 }
 
 fn value_change(change: &ValueChange) -> Value {
