@@ -12,6 +12,7 @@ mod convert;
 mod diff;
 mod diff_of_names;
 mod diff_of_places;
+mod diff_of_texts;
 mod eval;
 mod eval_state;
 mod generate;

@@ -13,6 +13,15 @@ const SHOWN_LINES: usize = 400;
 /// Where only what is said of the models differs.
 const SAME_TEXT: &str = "generated text is the same";
 
+/// What is shown of the generated text.
+#[derive(Clone, Copy)]
+pub(super) struct Shown {
+    /// Its lines.
+    pub(super) lines: bool,
+    /// Where lines are not shown, the names of all functions in which they are.
+    pub(super) all_functions: bool,
+}
+
 /// Lines under a title.
 struct Section {
     title: String,
@@ -41,11 +50,11 @@ fn push(sections: &mut Vec<Section>, title: &str, rows: Vec<Row>) {
 }
 
 /// What breaks code, what came, then what differs of every other module under its name.
-pub(super) fn text_of_systems(systems: &Systems, lines: bool) -> String {
+pub(super) fn text_of_systems(systems: &Systems, shown: Shown) -> String {
     let mut text: String = files(systems).iter().map(Section::text).collect();
     for report in &systems.changed {
         let [old, new] = &report.names;
-        text.extend([format!("== {old} -> {new}\n"), self::text(report, lines)]);
+        text.extend([format!("== {old} -> {new}\n"), self::text(report, shown)]);
     }
     text
 }
@@ -89,15 +98,15 @@ fn files(systems: &Systems) -> Vec<Section> {
 }
 
 /// Sections one after the other, then how much of the text changed, or the diff.
-pub(super) fn text(report: &Report, lines: bool) -> String {
+pub(super) fn text(report: &Report, shown: Shown) -> String {
     let mut text: String = note(report).map(|note| note + "\n").into_iter().collect();
     text.extend(sections(report).iter().map(Section::text));
     match &report.lines {
         None if report.is_same() => {}
         None => text.extend([SAME_TEXT, "\n"]),
-        Some(_) if lines => text += &report.diff,
+        Some(_) if shown.lines => text += &report.diff,
         Some(changed) => {
-            let changed = changed.to_string();
+            let changed = changed.told(shown.all_functions);
             text.extend(["generated text (--lines shows it)\n  ", &changed, "\n"]);
         }
     }
@@ -142,6 +151,9 @@ fn code(text: &str) -> String {
 
 /// What two modules of one model have in common.
 fn note(report: &Report) -> Option<String> {
+    if report.is_edited {
+        return Some("the model and all that is asked for are the same: edited by hand, or written by another version of kane".to_owned());
+    }
     let [old, new] = report.fingerprints;
     // Frames that only mark a place are no part of what is hashed.
     let says_the_same = old == new && report.differences.values.is_empty();
@@ -152,7 +164,12 @@ fn note(report: &Report) -> Option<String> {
         Some([old, new]) if report.functions == Comparison::default() => {
             format!("the model was {old} and is {new}")
         }
-        _ => "frames, functions or the generator differ".to_owned(),
+        _ => match report.formats {
+            Some([old, new]) => {
+                format!("written by other versions of kane, in formats {old} and {new}")
+            }
+            None => "frames, functions or the generator differ".to_owned(),
+        },
     };
     is_same_model.then(|| format!("bodies and joints are the same: {how}"))
 }
@@ -177,15 +194,10 @@ fn sections(report: &Report) -> Vec<Section> {
         "BREAKING: functions that are gone, or have other arguments",
         redeclared.collect(),
     );
-    let meanings = report.meanings.iter();
-    let meanings = meanings.map(|Meaning { name, old, new }| {
-        let how = format!("{old} -> {new}");
-        ["changed".to_owned(), name.clone(), how]
-    });
     push(
         &mut sections,
         "BREAKING: places that mean something else",
-        meanings.collect(),
+        report.meanings.iter().map(meaning).collect(),
     );
     let mut bodies = bodies(differences);
     let value = |change| value(differences, change);
@@ -193,6 +205,10 @@ fn sections(report: &Report) -> Vec<Section> {
     let values = values.into_iter().map(value).collect();
     push(&mut sections, "bodies and joints", bodies);
     push(&mut sections, "values", values);
+    let base = report.base.iter().map(meaning);
+    push(&mut sections, "base parameters", base.collect());
+    let held = report.held.iter().map(meaning);
+    push(&mut sections, "constants", held.collect());
     let options = report.options.iter();
     let options =
         options.map(|(key, [old, new])| came_or_went(key.clone(), old.as_deref(), new.as_deref()));
@@ -203,6 +219,11 @@ fn sections(report: &Report) -> Vec<Section> {
         operations::rows(&report.functions),
     );
     sections
+}
+
+fn meaning(change: &Meaning) -> Row {
+    let how = format!("{} -> {}", change.old, change.new);
+    ["changed".to_owned(), change.name.clone(), how]
 }
 
 fn layout(change: &LayoutChange) -> Section {
