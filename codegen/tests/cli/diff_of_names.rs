@@ -95,23 +95,21 @@ fn flipped_axis_breaks_code() {
 
 #[test]
 fn axis_that_is_flipped_with_the_axes_that_it_is_given_in_breaks_nothing() {
-    let joint = |turned: bool| {
-        let (sign, rotation) = if turned {
-            (
-                "-",
-                "attachment_rotation = [[1, 0, 0], [0, -1, 0], [0, 0, -1]]\nbody_rotation = [[1, 0, 0], [0, -1, 0], [0, 0, -1]]\n",
-            )
-        } else {
-            ("", "")
-        };
-        model("arm", "2.0").replace(
-            "joint = [\"theta2\"]",
-            &format!("{rotation}joint = \"revolute\"\naxis = [0, {sign}1, 0]"),
-        )
+    let half_turn = "rotation = [[1, 0, 0], [0, -1, 0], [0, 0, -1]]\n";
+    let joint = |rotations: &str, axis: &str| {
+        let joint = format!("{rotations}joint = \"revolute\"\naxis = {axis}");
+        model("arm", "2.0").replace("joint = [\"theta2\"]", &joint)
     };
-    let told = told(&joint(false), &joint(true), "toml", &["--format", "json"]);
-    let told = value(&told);
-    assert_eq!(told["breaking"], false, "{told}");
+    let old = joint("", "[0, 1, 0]");
+    // The body's own axes turn with those of the joint, or do not.
+    for rotations in [
+        format!("attachment_{half_turn}"),
+        format!("attachment_{half_turn}body_{half_turn}"),
+    ] {
+        let new = joint(&rotations, "[0, -1, 0]");
+        let told = value(&told(&old, &new, "toml", &["--format", "json"]));
+        assert_eq!(told["breaking"], false, "{told}");
+    }
 }
 
 #[test]
