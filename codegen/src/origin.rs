@@ -79,6 +79,16 @@ pub fn format_of(module: &str) -> Option<u32> {
     format.parse().ok()
 }
 
+/// True for modules that say of themselves that they are made of the same input: then their texts are the same, if they stand as one
+/// version of the generator wrote them.
+pub fn have_one_input(modules: [&str; 2]) -> bool {
+    let [old, new] = modules.map(|module| {
+        let line = module.lines().nth(1);
+        line.filter(|line| line.starts_with("// Input "))
+    });
+    old.is_some() && old == new
+}
+
 /// The options in words above a module, as [`Origin::lines`] has them, one by one; none where they do not stand there.
 fn options_of(module: &str) -> Vec<String> {
     let line = module.lines().nth(1);

@@ -5,7 +5,11 @@
 
 use std::collections::BTreeMap;
 
-use super::outline::{Body, LOWER, Layout, Outline, Values};
+use super::outline::{AXIS, Body, LOWER, Layout, Outline, Values};
+use crate::geometry::{self, Vector};
+
+/// How much unit vectors of one direction may differ, by rounding.
+const SAME_DIRECTION: f64 = 1e-15;
 
 /// What differs; nothing where all lists are empty.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -16,6 +20,8 @@ pub struct Differences {
     pub added: Vec<Body>,
     /// Bodies of the old system alone, in its order.
     pub removed: Vec<Body>,
+    /// Bodies with another name at their old places in the tree: the old and the new name.
+    pub renamed: Vec<[String; 2]>,
     /// What is said otherwise: of the system, then body by body.
     pub values: Vec<ValueChange>,
 }
@@ -36,8 +42,8 @@ pub struct LayoutChange {
 }
 
 impl LayoutChange {
-    /// True where code that indexes the array by number means something else now.
-    pub fn is_breaking(&self) -> bool {
+    /// True where code that indexes the array by number means something else now, and not only names changed.
+    pub fn has_other_places(&self) -> bool {
         !(self.added.is_empty() && self.removed.is_empty() && self.moved.is_empty())
     }
 }
@@ -56,9 +62,16 @@ pub struct ValueChange {
 }
 
 impl Differences {
-    /// True where an array's places changed.
+    /// True where an array's places changed, or their names, by which code may find them.
     pub fn is_breaking(&self) -> bool {
-        self.layouts.iter().any(LayoutChange::is_breaking)
+        !self.layouts.is_empty()
+    }
+
+    /// What a body of the new system was called in the old one, where that was something else.
+    pub fn old_name(&self, body: &str) -> Option<&str> {
+        let mut renamed = self.renamed.iter();
+        let [old, _] = renamed.find(|[_, new]| new == body)?;
+        Some(old)
     }
 }
 
@@ -80,6 +93,10 @@ impl ValueChange {
 /// Compares two systems.
 pub fn differences(old: &Outline, new: &Outline) -> Differences {
     let named = with_names_of(old, new);
+    let renamed_bodies = match &named {
+        Some(_) => names_that_differ(old, new),
+        None => Vec::new(),
+    };
     let old = named.as_ref().unwrap_or(old);
     let without = |bodies: &[Body], others: &[Body]| -> Vec<Body> {
         let is_there = |body: &&Body| others.iter().any(|other| other.name == body.name);
@@ -114,12 +131,22 @@ pub fn differences(old: &Outline, new: &Outline) -> Differences {
         layouts: layouts.collect(),
         added,
         removed,
+        renamed: renamed_bodies,
         values,
     }
 }
 
+/// The old and the new names of bodies, place by place.
+fn names_that_differ(old: &Outline, new: &Outline) -> Vec<[String; 2]> {
+    let pairs = old.bodies.iter().zip(&new.bodies);
+    let pairs = pairs.filter(|(old, new)| old.name != new.name);
+    pairs
+        .map(|(old, new)| [old.name.clone(), new.name.clone()])
+        .collect()
+}
+
 /// The old system with bodies called as in the new one, if the trees are the same but for names of bodies. Layouts keep the old names.
-fn with_names_of(old: &Outline, new: &Outline) -> Option<Outline> {
+pub(super) fn with_names_of(old: &Outline, new: &Outline) -> Option<Outline> {
     let pairs = old.bodies.iter().zip(&new.bodies);
     let pairs = pairs.filter(|(old, new)| old.name != new.name);
     let renamed: BTreeMap<&str, &str> = pairs.map(|(old, new)| (&*old.name, &*new.name)).collect();
@@ -208,7 +235,8 @@ fn value_changes(body: Option<&str>, old: &Values, new: &Values) -> Vec<ValueCha
     keys.dedup();
     let change = |key: &String| {
         let (old, new) = (old.get(key), new.get(key));
-        (old != new).then(|| ValueChange {
+        let is_same = old == new || key == AXIS && have_one_direction(old, new);
+        (!is_same).then(|| ValueChange {
             body: body.map(str::to_owned),
             key: key.clone(),
             old: old.cloned(),
@@ -216,4 +244,19 @@ fn value_changes(body: Option<&str>, old: &Values, new: &Values) -> Vec<ValueCha
         })
     };
     keys.into_iter().filter_map(change).collect()
+}
+
+/// True for axes that differ in length alone.
+fn have_one_direction(old: Option<&String>, new: Option<&String>) -> bool {
+    let direction = |text: Option<&String>| -> Option<Vector> {
+        let text = text?.strip_prefix('[')?.strip_suffix(']')?;
+        let entries = text.split(',').map(|entry| entry.trim().parse().ok());
+        let axis: Vec<f64> = entries.collect::<Option<_>>()?;
+        let axis: Vector = axis.try_into().ok()?;
+        Some(geometry::scaled(axis, 1.0 / geometry::length(axis)))
+    };
+    let (Some(old), Some(new)) = (direction(old), direction(new)) else {
+        return false;
+    };
+    geometry::length(geometry::difference(old, new)) < SAME_DIRECTION
 }

@@ -9,16 +9,17 @@ use quote::ToTokens as _;
 use syn::{Expr, File, Item};
 
 use super::{
-    constants::{constant, entries, field, list, string},
+    constants::{constant, entries, field, integer, list, string},
     meaning::Meaning,
 };
 use crate::{
     functions::{N_BODIES, N_SPEEDS},
     listing::constants::{BASE_PARAMETER_TERMS, BASE_PARAMETERS},
+    rust,
 };
 
 /// How the names of constants end that say which entries an array has.
-const ENDINGS: [&str; 4] = ["_PLACES", "_SPEEDS", "_ORDER", "_BLOCKS"];
+pub(super) const ENDINGS: [&str; 4] = ["_PLACES", "_SPEEDS", "_ORDER", "_BLOCKS"];
 
 /// What a module says of its arrays.
 pub(super) struct Places {
@@ -26,6 +27,13 @@ pub(super) struct Places {
     sizes: [Option<String>; 2],
     /// For each constant that says it, the entries of its array.
     arrays: BTreeMap<String, Vec<Entry>>,
+}
+
+/// The base parameters of a module.
+struct Base {
+    sums: Vec<String>,
+    /// For each what it is made of, whatever names are.
+    terms: Vec<Vec<String>>,
 }
 
 /// What an entry means whatever names are, and that for people.
@@ -75,6 +83,44 @@ impl Places {
     }
 }
 
+/// How the base parameters of two modules differ: their number, or the first that is another sum; `None` where they do not, or one
+/// module has none.
+///
+/// # Errors
+/// A text that is not Rust.
+pub fn base_parameters_changed(old: &str, new: &str) -> Result<Option<Meaning>, syn::Error> {
+    let read = |text| rust::read(text, |file| Base::of(&file));
+    let (old, new) = (read(old)?, read(new)?);
+    let sums = |base: Base| -> Vec<Entry> {
+        let pairs = base.sums.into_iter().zip(base.terms);
+        let entries = pairs.map(|(shown, terms)| Entry {
+            meaning: terms.join(" "),
+            shown,
+        });
+        entries.collect()
+    };
+    if old.sums.is_empty() || new.sums.is_empty() {
+        return Ok(None);
+    }
+    Ok(changed(BASE_PARAMETERS, &sums(old), &sums(new)))
+}
+
+impl Base {
+    fn of(file: &File) -> Self {
+        let sums = list(file, BASE_PARAMETERS).into_iter();
+        let sums: Vec<String> = sums.filter_map(string).collect();
+        let mut terms = vec![Vec::new(); sums.len()];
+        for term in list(file, BASE_PARAMETER_TERMS) {
+            let base = field(term, "base").and_then(integer);
+            let base = base.and_then(|base| usize::try_from(base).ok());
+            if let Some(own) = base.and_then(|base| terms.get_mut(base)) {
+                own.push(text(term));
+            }
+        }
+        Self { sums, terms }
+    }
+}
+
 /// Of each base parameter the first of its sum: how much others add is a number of the model.
 fn base_parameters(file: &File) -> Vec<Entry> {
     let terms = list(file, BASE_PARAMETER_TERMS);
@@ -117,6 +163,6 @@ fn changed(name: &str, old: &[Entry], new: &[Entry]) -> Option<Meaning> {
     })
 }
 
-fn text(value: &Expr) -> String {
+pub(super) fn text(value: &Expr) -> String {
     value.to_token_stream().to_string()
 }

@@ -60,7 +60,7 @@ fn frames_are_told_by_their_names() {
     assert_eq!(ran.code, 1);
     assert_eq!(
         ran.out,
-        "values\n  added    frame tip: body      fore\n  added    frame tip: position  [0.0, 0.0, 0.8]\n"
+        "values\n  added    frame tip: body      fore\n  added    frame tip: position  [0.0, 0.0, 0.8]\ngenerated text is the same\n"
     );
 }
 
@@ -73,7 +73,7 @@ fn a_frame_at_the_origin_is_told_too() {
     assert_eq!(ran.code, 1);
     assert_eq!(
         ran.out,
-        "values\n  added    frame tip: body  the inertial frame\n"
+        "values\n  added    frame tip: body  the inertial frame\ngenerated text is the same\n"
     );
 }
 
@@ -103,7 +103,7 @@ fn added_body_breaks_every_layout_that_it_is_in() {
     BREAKING: the places in u changed
       added    hand_theta2_dot  3
     bodies and joints
-      added    hand  on upper, joint ["theta2"]
+      added    hand  on upper, joint ["theta2"], mass 1.5, at [0.0, 0.0, -1.0]
     "#);
 }
 
@@ -116,9 +116,9 @@ fn renamed_joint_moves_nothing() {
     });
     assert_eq!(code, 1);
     insta::assert_snapshot!(said, @"
-    names in q and in C headers
+    BREAKING: the names in q and in C headers changed
       renamed  fore_theta2 -> elbow  2
-    names in u and in C headers
+    BREAKING: the names in u and in C headers changed
       renamed  fore_theta2_dot -> elbow_dot  2
     bodies and joints
       added    fore: joint_name  elbow
@@ -134,14 +134,14 @@ fn renamed_body_keeps_its_places() {
     assert_eq!(code, 1);
     let (said, _) = said.split_once("operations").unwrap();
     insta::assert_snapshot!(said, @"
-    names in arrays over bodies and in C headers
+    BREAKING: the names in arrays over bodies and in C headers changed
       renamed  fore -> shank  1
-    names in q and in C headers
+    BREAKING: the names in q and in C headers changed
       renamed  fore_theta2 -> shank_theta2  2
-    names in u and in C headers
+    BREAKING: the names in u and in C headers changed
       renamed  fore_theta2_dot -> shank_theta2_dot  2
     values
-      changed  shank: mass  1.5 -> 1.25
+      changed  fore -> shank: mass  1.5 -> 1.25
     ");
 }
 
@@ -178,7 +178,7 @@ fn removed_body_is_told_with_the_place_that_it_had() {
     assert_eq!(ran.code, 1);
     for part in [
         "q changed\n  removed  hand_theta2  3\n",
-        "bodies and joints\n  removed  hand  on upper, joint [\"theta2\"]\n",
+        "bodies and joints\n  removed  hand  on upper, joint [\"theta2\"], mass 1.5, at [0.0, 0.0, -1.0]\n",
     ] {
         assert!(ran.out.contains(part), "{part}\n{}", ran.out);
     }

@@ -180,7 +180,7 @@ fn workflow_shows_what_a_pull_request_changes() {
     assert_eq!(ran.code, 0, "{ran:?}");
     let base = base.trim();
     let title = format!(
-        "## `{base}` → `HEAD`\n\n**BREAKING: files that are gone, or in which places, functions or arguments changed**\n\n\
+        "## `{base}` → `HEAD`\n\n**BREAKING: files that are gone, or in which places, names, functions or arguments changed**\n\n\
          | | | |\n| --- | --- | --- |\n| changed | `HEAD:generated/arm.rs` | `q, u` |\n\n\
          ### `{base}:generated/arm.rs` → `HEAD:generated/arm.rs`\n"
     );

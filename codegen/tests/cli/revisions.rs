@@ -79,7 +79,7 @@ fn history() -> Project {
 #[test]
 fn revisions_are_compared_system_by_system() {
     let project = history();
-    let told = "BREAKING: files that are gone, or in which places, functions or arguments changed\n  removed  left.rs\n  removed  left_c.rs\n  removed  left.h\n\
+    let told = "BREAKING: files that are gone, or in which places, names, functions or arguments changed\n  removed  left.rs\n  removed  left_c.rs\n  removed  left.h\n\
         files\n  added    right.rs\n  added    right_c.rs\n  added    right.h\n\
         == HEAD~1:arm.rs -> HEAD:arm.rs\nvalues\n  changed  fore: mass  1.5 -> 1.25\n";
     let ran = project.kane(&["diff", "HEAD~1", "HEAD", "--lines"]);
@@ -123,7 +123,7 @@ fn one_revision_is_compared_with_the_files_as_they_are() {
     let ran = project.kane(&["diff", "HEAD"]);
     assert_eq!(ran.code, 1);
     insta::assert_snapshot!(ran.out.split("== HEAD:arm.rs").next().unwrap(), @"
-    BREAKING: files that are gone, or in which places, functions or arguments changed
+    BREAKING: files that are gone, or in which places, names, functions or arguments changed
       changed  arm.rs    q, u
       changed  right.rs  q, u
     ");

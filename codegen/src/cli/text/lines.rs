@@ -4,7 +4,7 @@ use std::{collections::BTreeSet, fmt};
 
 use kane_codegen::diagnostic::{count, first_few};
 
-use crate::cli::text::text_diff::TextDiff;
+use crate::cli::text::{only::Only, text_diff::TextDiff};
 
 /// What changed between two texts.
 pub(crate) struct ChangedLines {
@@ -39,48 +39,38 @@ impl ChangedLines {
         }
     }
 
+    /// The same as text, with the names of all functions or of the first few.
+    pub(crate) fn told(&self, all_functions: bool) -> String {
+        let removed = count(self.removed, "line");
+        let functions = if self.functions.is_empty() {
+            let none = ", none of them in a function";
+            if self.has_functions { none } else { "" }.to_owned()
+        } else {
+            let names = if all_functions {
+                self.functions.join(", ")
+            } else {
+                first_few(&self.functions)
+            };
+            format!(", in {}: {names}", count(self.functions.len(), "function"))
+        };
+        let only = match self.only {
+            Some(Only::Comments) => "; only comments changed",
+            Some(Only::Numbers) => "; only numbers changed",
+            Some(Only::Names) => "; only names changed",
+            None => "",
+        };
+        format!("{removed} removed, {} added{functions}{only}", self.added)
+    }
+
     /// True where no line of code changed.
     pub(crate) fn are_comments(&self) -> bool {
         self.only == Some(Only::Comments)
     }
 }
 
-/// What alone differs between two texts.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Only {
-    /// Comments that no item has.
-    Comments,
-    /// These, and numbers of the model.
-    Numbers,
-}
-
-impl Only {
-    fn of(old: &str, new: &str) -> Option<Self> {
-        if code(old).eq(code(new)) {
-            Some(Self::Comments)
-        } else if code(old).map(masked).eq(code(new).map(masked)) {
-            Some(Self::Numbers)
-        } else {
-            None
-        }
-    }
-}
-
 impl fmt::Display for ChangedLines {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let removed = count(self.removed, "line");
-        write!(f, "{removed} removed, {} added", self.added)?;
-        if !self.functions.is_empty() {
-            let functions = count(self.functions.len(), "function");
-            write!(f, ", in {functions}: {}", first_few(&self.functions))?;
-        } else if self.has_functions {
-            write!(f, ", none of them in a function")?;
-        }
-        match self.only {
-            Some(Only::Comments) => write!(f, "; only comments changed"),
-            Some(Only::Numbers) => write!(f, "; only numbers changed"),
-            None => Ok(()),
-        }
+        f.write_str(&self.told(false))
     }
 }
 
@@ -123,49 +113,4 @@ fn declared(line: &str) -> Option<String> {
     let end = name.find(|c: char| !(c.is_alphanumeric() || c == '_'))?;
     let of = if is_of_type { "Prepared::" } else { "" };
     Some(format!("{of}{}", &name[..end]))
-}
-
-/// The lines without comments that no item has.
-fn code(text: &str) -> impl Iterator<Item = &str> {
-    let is_code = |line: &&str| !line.starts_with("//") || line.starts_with("///");
-    text.lines().filter(is_code)
-}
-
-/// The line with `#` for every number that is no index or length: what has a decimal point or an exponent. A minus that opens an
-/// argument is the number's.
-fn masked(line: &str) -> String {
-    let mut shown = String::with_capacity(line.len());
-    let mut rest = line;
-    let mut previous = ' ';
-    while let Some(character) = rest.chars().next() {
-        let in_name = previous.is_alphanumeric() || previous == '_';
-        let sign = usize::from(character == '-' && previous == '(');
-        let starts = !in_name && rest[sign..].starts_with(|c: char| c.is_ascii_digit());
-        let length = if starts {
-            sign + number(&rest[sign..])
-        } else {
-            character.len_utf8()
-        };
-        let (token, after) = rest.split_at(length);
-        // A hash changes with them, whichever digits it has.
-        let is_hash = token.starts_with("0x");
-        let is_real = starts && (is_hash || token.contains(['.', 'e', 'E']));
-        shown.push_str(if is_real { "#" } else { token });
-        previous = token.chars().next_back().unwrap_or(' ');
-        rest = after;
-    }
-    shown
-}
-
-/// How long the number is with which a text begins.
-fn number(text: &str) -> usize {
-    let mut previous = ' ';
-    let mut goes_on = |character: char| {
-        let signs = matches!(character, '+' | '-') && matches!(previous, 'e' | 'E');
-        let goes_on = character.is_ascii_alphanumeric() || matches!(character, '.' | '_') || signs;
-        previous = character;
-        goes_on
-    };
-    text.find(|character| !goes_on(character))
-        .unwrap_or(text.len())
 }

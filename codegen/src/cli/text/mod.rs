@@ -2,6 +2,7 @@
 
 pub(super) mod json;
 pub(super) mod lines;
+mod only;
 pub(super) mod operations;
 pub(super) mod pipe;
 pub(super) mod text_diff;

@@ -9,5 +9,5 @@ mod system;
 
 pub use module::ModuleError;
 pub(super) use module::coordinates;
-pub(super) use system::LOWER;
+pub(super) use system::{AXIS, LOWER};
 pub use system::{Body, Layout, Outline, Values};

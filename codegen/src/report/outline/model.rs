@@ -4,8 +4,9 @@ use toml::{Table, Value};
 
 use super::system::{Body, INERTIAL, LOWER, Layout, Outline, Values};
 use crate::{
-    description::{Description, toml as our_format},
+    description::{Description, WrittenBody, toml as our_format},
     diagnostic::Diagnostics,
+    geometry::{self, IDENTITY, Vector},
     origin,
     tree::Tree,
 };
@@ -39,6 +40,8 @@ impl Outline {
             Body { name, values }
         });
         let bodies = bodies.collect();
+        let axes = description.bodies.iter();
+        let axes = axes.map(|body| axis(body, tree)).collect();
         let mut values = Values::new();
         for (key, value) in &system {
             flatten(key, value, &mut values);
@@ -60,6 +63,7 @@ impl Outline {
             fingerprint: Some(origin::fingerprint(tree)),
             values,
             bodies,
+            axes,
             layouts: vec![
                 (Layout::Bodies, names.collect()),
                 (Layout::Coordinates, tree.coordinate_names()),
@@ -68,6 +72,22 @@ impl Outline {
             ],
         })
     }
+}
+
+/// The axis of a body's joint, in the lower body's axes and in its own, where a coordinate is measured about or along it.
+fn axis(body: &WrittenBody, tree: &Tree) -> Option<[Vector; 2]> {
+    let name = &body.name.as_ref()?.value;
+    // A body that is fixed to another one has no coordinate, and one that follows another has that one's.
+    let is_free = tree.bodies.iter().any(|own| own.name == *name) && body.joint.mimic.is_none();
+    let axis = body.joint.axis.as_ref().filter(|_| is_free)?.value;
+    let [lower, own] =
+        [&body.joint.attachment_rotation, &body.joint.body_rotation].map(|rotation| {
+            rotation
+                .as_ref()
+                .map_or(IDENTITY, |rotation| rotation.value)
+        });
+    let lower = geometry::apply(&geometry::transposed(&lower), axis);
+    Some([lower, geometry::apply(&own, axis)])
 }
 
 /// The tables of a list.

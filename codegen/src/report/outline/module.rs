@@ -72,6 +72,7 @@ fn of_file(file: &File) -> Result<Outline, ModuleError> {
         fingerprint: constant(file, constants::FINGERPRINT).and_then(integer),
         values,
         bodies,
+        axes: Vec::new(),
         layouts: vec![
             (Layout::Bodies, body_names),
             (

@@ -2,8 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use crate::geometry::Vector;
+
 /// The key of a body's lower body.
 pub(in crate::report) const LOWER: &str = "lower_body";
+/// The key of a joint's axis.
+pub(in crate::report) const AXIS: &str = "axis";
 /// The lower body of a root.
 pub(super) const INERTIAL: &str = "the inertial frame";
 
@@ -11,7 +15,7 @@ pub(super) const INERTIAL: &str = "the inertial frame";
 pub type Values = BTreeMap<String, String>;
 
 /// A system as a comparison sees it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
     /// The model's hash, where it is known.
     pub fingerprint: Option<u64>,
@@ -19,6 +23,8 @@ pub struct Outline {
     pub values: Values,
     /// The bodies, in the order of the model; those that are part of others too.
     pub bodies: Vec<Body>,
+    /// For each of these bodies with a coordinate about or along an axis that axis, in the lower body's axes and in its own; empty for modules.
+    pub axes: Vec<Option<[Vector; 2]>>,
     /// Arrays that callers index, with what stands at each place.
     pub layouts: Vec<(Layout, Vec<String>)>,
 }

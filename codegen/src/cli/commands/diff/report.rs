@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use kane_codegen::{
+    diagnostic::Diagnostics,
     origin,
     report::{self, Comparison, Differences, Meaning, Redeclared},
 };
@@ -21,6 +22,16 @@ pub(super) struct Report {
     pub(super) redeclared: Vec<Redeclared>,
     /// Places that mean something else.
     pub(super) meanings: Vec<Meaning>,
+    /// How base parameters differ, where code need not change for it.
+    pub(super) base: Option<Meaning>,
+    /// Of two modules, the arrays that hold something else.
+    pub(super) held: Vec<Meaning>,
+    /// What should be known about the new model, and not about the old one.
+    pub(super) warnings: Option<Diagnostics>,
+    /// True where the texts say that they are made of the same in the same way, and differ.
+    pub(super) is_edited: bool,
+    /// The formats of the texts, where these differ.
+    pub(super) formats: Option<[u32; 2]>,
     /// Options that the texts do not have alike, by their keys, but for functions, which are told one by one.
     pub(super) options: BTreeMap<String, [Option<String>; 2]>,
     /// The models that the texts name, where these differ.
@@ -35,8 +46,19 @@ impl Report {
     pub(super) fn new(names: [&str; 2], [old, new]: [&Described; 2]) -> Result<Self, Failures> {
         let functions = report::compare(&old.text, &new.text).map_err(Failures::message)?;
         let redeclared = report::redeclared(&old.text, &new.text).map_err(Failures::message)?;
-        let meanings = report::meanings(&old.text, &new.text).map_err(Failures::message)?;
+        let mut meanings = report::meanings(&old.text, &new.text).map_err(Failures::message)?;
+        meanings.extend(report::turned(&old.outline, &new.outline));
         let texts = [old, new].map(|known| known.text.as_str());
+        let base =
+            report::base_parameters_changed(texts[0], texts[1]).map_err(Failures::message)?;
+        let is_told = |own: &Meaning| own.name.starts_with("BASE_PARAMETERS");
+        let base = base.filter(|_| !meanings.iter().any(is_told));
+        let are_models = old.warnings.is_some() || new.warnings.is_some();
+        let held = if are_models {
+            Vec::new()
+        } else {
+            report::held(texts[0], texts[1]).map_err(Failures::message)?
+        };
         let diff = TextDiff::new(texts[0], texts[1]);
         let is_same = texts[0] == texts[1];
         let mut options = origin::changed_options(texts);
@@ -50,6 +72,14 @@ impl Report {
             functions,
             redeclared,
             meanings,
+            base,
+            held,
+            warnings: new.news(old),
+            is_edited: !are_models
+                && !is_same
+                && moved(texts).is_none()
+                && origin::have_one_input(texts),
+            formats: formats(texts),
             options,
             moved: moved(texts),
             diff,
@@ -57,7 +87,7 @@ impl Report {
         })
     }
 
-    /// True where an array's places changed or mean something else, or where a function is gone or has other arguments.
+    /// True where an array's places or their names changed, or mean something else, or where a function is gone or has other arguments.
     pub(super) fn is_breaking(&self) -> bool {
         self.differences.is_breaking() || !(self.redeclared.is_empty() && self.meanings.is_empty())
     }
@@ -65,6 +95,13 @@ impl Report {
     pub(super) fn is_same(&self) -> bool {
         self.differences == Differences::default() && self.diff.is_empty()
     }
+}
+
+fn formats(texts: [&str; 2]) -> Option<[u32; 2]> {
+    let [Some(old), Some(new)] = texts.map(origin::format_of) else {
+        return None;
+    };
+    (old != new).then_some([old, new])
 }
 
 fn moved(texts: [&str; 2]) -> Option<[String; 2]> {

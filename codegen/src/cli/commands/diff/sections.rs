@@ -1,7 +1,7 @@
 //! What differs, for people: in a terminal, and as tables for a pull request.
 
 use kane_codegen::report::{
-    Body, Comparison, Differences, LayoutChange, Meaning, Redeclared, ValueChange,
+    Body, Comparison, Differences, Layout, LayoutChange, Meaning, Redeclared, ValueChange,
 };
 
 use super::{report::Report, systems::Systems};
@@ -9,6 +9,18 @@ use crate::cli::text::operations::{self, Row};
 
 /// How much of a diff a pull request is shown: hosts refuse texts that are too long.
 const SHOWN_LINES: usize = 400;
+
+/// Where only what is said of the models differs.
+const SAME_TEXT: &str = "generated text is the same";
+
+/// What is shown of the generated text.
+#[derive(Clone, Copy)]
+pub(super) struct Shown {
+    /// Its lines.
+    pub(super) lines: bool,
+    /// Where lines are not shown, the names of all functions in which they are.
+    pub(super) all_functions: bool,
+}
 
 /// Lines under a title.
 struct Section {
@@ -38,11 +50,11 @@ fn push(sections: &mut Vec<Section>, title: &str, rows: Vec<Row>) {
 }
 
 /// What breaks code, what came, then what differs of every other module under its name.
-pub(super) fn text_of_systems(systems: &Systems, lines: bool) -> String {
+pub(super) fn text_of_systems(systems: &Systems, shown: Shown) -> String {
     let mut text: String = files(systems).iter().map(Section::text).collect();
     for report in &systems.changed {
         let [old, new] = &report.names;
-        text.extend([format!("== {old} -> {new}\n"), self::text(report, lines)]);
+        text.extend([format!("== {old} -> {new}\n"), self::text(report, shown)]);
     }
     text
 }
@@ -67,7 +79,6 @@ fn files(systems: &Systems) -> Vec<Section> {
     let removed = removed.map(|name| row("removed", name, String::new()));
     let changed = systems.breaking().map(|report| {
         let layouts = report.differences.layouts.iter();
-        let layouts = layouts.filter(|change| change.is_breaking());
         let layouts = layouts.map(|change| change.layout.name());
         let redeclared = report.redeclared.iter().map(|own| own.name.as_str());
         let meanings = report.meanings.iter().map(|own| own.name.as_str());
@@ -79,7 +90,7 @@ fn files(systems: &Systems) -> Vec<Section> {
     let mut sections = Vec::new();
     push(
         &mut sections,
-        "BREAKING: files that are gone, or in which places, functions or arguments changed",
+        "BREAKING: files that are gone, or in which places, names, functions or arguments changed",
         removed.chain(changed).collect(),
     );
     push(&mut sections, "files", added.collect());
@@ -87,14 +98,15 @@ fn files(systems: &Systems) -> Vec<Section> {
 }
 
 /// Sections one after the other, then how much of the text changed, or the diff.
-pub(super) fn text(report: &Report, lines: bool) -> String {
+pub(super) fn text(report: &Report, shown: Shown) -> String {
     let mut text: String = note(report).map(|note| note + "\n").into_iter().collect();
     text.extend(sections(report).iter().map(Section::text));
     match &report.lines {
-        None => {}
-        Some(_) if lines => text += &report.diff,
+        None if report.is_same() => {}
+        None => text.extend([SAME_TEXT, "\n"]),
+        Some(_) if shown.lines => text += &report.diff,
         Some(changed) => {
-            let changed = changed.to_string();
+            let changed = changed.told(shown.all_functions);
             text.extend(["generated text (--lines shows it)\n  ", &changed, "\n"]);
         }
     }
@@ -110,6 +122,9 @@ pub(super) fn markdown(report: &Report) -> String {
     }
     text.extend(note(report).map(|note| format!("\n{note}\n")));
     text.extend(sections(report).iter().map(Section::table));
+    if report.lines.is_none() && !report.is_same() {
+        text.extend(["\n", SAME_TEXT, "\n"]);
+    }
     if !report.diff.is_empty() {
         let lines: Vec<&str> = report.diff.lines().collect();
         let shown = lines[..lines.len().min(SHOWN_LINES)].join("\n");
@@ -136,6 +151,9 @@ fn code(text: &str) -> String {
 
 /// What two modules of one model have in common.
 fn note(report: &Report) -> Option<String> {
+    if report.is_edited {
+        return Some("the model and all that is asked for are the same: edited by hand, or written by another version of kane".to_owned());
+    }
     let [old, new] = report.fingerprints;
     // Frames that only mark a place are no part of what is hashed.
     let says_the_same = old == new && report.differences.values.is_empty();
@@ -146,7 +164,12 @@ fn note(report: &Report) -> Option<String> {
         Some([old, new]) if report.functions == Comparison::default() => {
             format!("the model was {old} and is {new}")
         }
-        _ => "frames, functions or the generator differ".to_owned(),
+        _ => match report.formats {
+            Some([old, new]) => {
+                format!("written by other versions of kane, in formats {old} and {new}")
+            }
+            None => "frames, functions or the generator differ".to_owned(),
+        },
     };
     is_same_model.then(|| format!("bodies and joints are the same: {how}"))
 }
@@ -171,21 +194,21 @@ fn sections(report: &Report) -> Vec<Section> {
         "BREAKING: functions that are gone, or have other arguments",
         redeclared.collect(),
     );
-    let meanings = report.meanings.iter();
-    let meanings = meanings.map(|Meaning { name, old, new }| {
-        let how = format!("{old} -> {new}");
-        ["changed".to_owned(), name.clone(), how]
-    });
     push(
         &mut sections,
         "BREAKING: places that mean something else",
-        meanings.collect(),
+        report.meanings.iter().map(meaning).collect(),
     );
     let mut bodies = bodies(differences);
+    let value = |change| value(differences, change);
     bodies.extend(of_the_tree.into_iter().map(value));
     let values = values.into_iter().map(value).collect();
     push(&mut sections, "bodies and joints", bodies);
     push(&mut sections, "values", values);
+    let base = report.base.iter().map(meaning);
+    push(&mut sections, "base parameters", base.collect());
+    let held = report.held.iter().map(meaning);
+    push(&mut sections, "constants", held.collect());
     let options = report.options.iter();
     let options =
         options.map(|(key, [old, new])| came_or_went(key.clone(), old.as_deref(), new.as_deref()));
@@ -198,14 +221,29 @@ fn sections(report: &Report) -> Vec<Section> {
     sections
 }
 
+fn meaning(change: &Meaning) -> Row {
+    let how = format!("{} -> {}", change.old, change.new);
+    ["changed".to_owned(), change.name.clone(), how]
+}
+
 fn layout(change: &LayoutChange) -> Section {
     let row = |what: &str, name: &String, how: String| [what.to_owned(), name.clone(), how];
     let added = change.added.iter();
     let added = added.map(|(name, place)| row("added", name, place.to_string()));
     let removed = change.removed.iter();
     let removed = removed.map(|(name, place)| row("removed", name, place.to_string()));
-    let moved = change.moved.iter();
-    let moved = moved.map(|(name, [old, new])| row("moved", name, format!("{old} -> {new}")));
+    let moved = runs(&change.moved).map(|run| match run {
+        [(name, [old, new])] => row("moved", name, format!("{old} -> {new}")),
+        [(first, from), .., (last, to)] => {
+            let [old, new] = [0, 1].map(|side| format!("{}..={}", from[side], to[side]));
+            row(
+                "moved",
+                &format!("{first} .. {last}"),
+                format!("{old} -> {new}"),
+            )
+        }
+        [] => row("", &String::new(), String::new()),
+    });
     let renamed = change.renamed.iter();
     let renamed = renamed.map(|([old, new], place)| {
         let name = format!("{old} -> {new}");
@@ -213,30 +251,60 @@ fn layout(change: &LayoutChange) -> Section {
     });
     let array = change.layout.name();
     Section {
-        title: if change.is_breaking() {
+        title: if change.has_other_places() {
             format!("BREAKING: the places in {array} changed")
         } else {
-            format!("names in {array} and in C headers")
+            format!("BREAKING: the names in {array} and in C headers changed")
         },
         rows: added.chain(removed).chain(moved).chain(renamed).collect(),
     }
 }
 
+/// What moved, with neighbours that moved alike together, if they are more than two.
+fn runs(moved: &[Moved]) -> impl Iterator<Item = &[Moved]> {
+    let follows = |(_, one): &Moved, (_, next): &Moved| {
+        one.iter().zip(next).all(|(one, next)| one + 1 == *next)
+    };
+    let runs = moved.chunk_by(follows);
+    runs.flat_map(|run| run.chunks(if run.len() > 2 { run.len() } else { 1 }))
+}
+
+/// A name with its old and new place.
+type Moved = (String, [usize; 2]);
+
 fn bodies(differences: &Differences) -> Vec<Row> {
     let row = |what: &str, body: &Body| {
         let said = |key: &str| body.values.get(key).map_or("", String::as_str);
-        let how = format!("on {}, joint {}", said("lower_body"), said("joint"));
+        let kept = [("mass", "mass"), ("attachment", "at")].map(|(key, word)| {
+            let value = body.values.get(key);
+            value.map_or_else(String::new, |value| format!(", {word} {value}"))
+        });
+        let (lower, joint) = (said("lower_body"), said("joint"));
+        let how = format!("on {lower}, joint {joint}{}", kept.concat());
         [what.to_owned(), body.name.clone(), how]
     };
     let added = differences.added.iter().map(|body| row("added", body));
     let removed = differences.removed.iter().map(|body| row("removed", body));
-    added.chain(removed).collect()
+    // Those of arrays over bodies stand there.
+    let mut arrays = differences.layouts.iter();
+    let arrays = arrays.find(|change| change.layout == Layout::Bodies);
+    let told = arrays.map_or(&[][..], |change| &change.renamed);
+    let is_told = |names: &&[String; 2]| told.iter().any(|(own, _)| own == *names);
+    let renamed = differences.renamed.iter().filter(|names| !is_told(names));
+    let renamed = renamed.map(|[old, new]| {
+        let name = format!("{old} -> {new}");
+        ["renamed".to_owned(), name, String::new()]
+    });
+    added.chain(removed).chain(renamed).collect()
 }
 
-fn value(change: &ValueChange) -> Row {
+fn value(differences: &Differences, change: &ValueChange) -> Row {
     let key = &change.key;
     let name = match &change.body {
-        Some(body) => format!("{body}: {key}"),
+        Some(body) => match differences.old_name(body) {
+            Some(old) => format!("{old} -> {body}: {key}"),
+            None => format!("{body}: {key}"),
+        },
         None => key.clone(),
     };
     came_or_went(name, change.old.as_deref(), change.new.as_deref())

@@ -8,7 +8,7 @@ use std::{
 
 use kane_codegen::{
     description::{self, Reading},
-    diagnostic::{Escaped, Source},
+    diagnostic::{Diagnostic, Diagnostics, Escaped, Source},
     error::Error,
     generate,
     options::Options,
@@ -36,6 +36,21 @@ pub(super) struct Described {
     pub(super) outline: Outline,
     /// The module's text.
     pub(super) text: String,
+    /// What should be known about its model; `None` of a module.
+    pub(super) warnings: Option<Diagnostics>,
+}
+
+impl Described {
+    /// What should be known about it, and not of the old one.
+    pub(super) fn news(&self, old: &Self) -> Option<Diagnostics> {
+        let (own, old) = (self.warnings.as_ref()?, old.warnings.as_ref()?);
+        let is_new = |one: &&Diagnostic| {
+            let mut others = old.list().iter();
+            !others.any(|other| other.severity == one.severity && other.message == one.message)
+        };
+        let news = own.list().iter().filter(is_new).cloned();
+        Some(Diagnostics::new(own.source().clone(), news.collect()))
+    }
 }
 
 impl Side {
@@ -105,6 +120,7 @@ impl Side {
         Ok(Described {
             outline,
             text: self.source.text().to_owned(),
+            warnings: None,
         })
     }
 
@@ -131,6 +147,7 @@ impl Side {
         Ok(Described {
             outline: Outline::of_model(description, &checked.tree)?,
             text: generated.source,
+            warnings: Some(generated.warnings),
         })
     }
 

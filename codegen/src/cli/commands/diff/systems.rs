@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use kane_codegen::diagnostic::{Escaped, Source};
+use kane_codegen::diagnostic::{Diagnostics, Escaped, Source};
 
 use super::{report::Report, side::Side};
 use crate::cli::{
@@ -26,6 +26,8 @@ pub(super) struct Systems {
     pub(super) added: Vec<String>,
     /// Generated files of the old one alone.
     pub(super) removed: Vec<String>,
+    /// What should be known about new models alone, also of those whose modules are the same.
+    pub(super) warnings: Vec<Diagnostics>,
 }
 
 /// A state of the repository's files.
@@ -123,11 +125,13 @@ impl Systems {
             let own = own.filter(|file| !others.contains(file));
             own.map(|file| file.display().to_string()).collect()
         };
-        let mut changed = Vec::new();
+        let (mut changed, mut warnings) = (Vec::new(), Vec::new());
         for job in &new {
             if let Some(place) = of(&old, job) {
                 let report = report(snapshots, [&old[place], job]);
-                changed.extend(failures.keep(report).filter(|report| !report.is_same()));
+                let report = failures.keep(report);
+                warnings.extend(report.iter().filter_map(|report| report.warnings.clone()));
+                changed.extend(report.filter(|report| !report.is_same()));
             }
         }
         failures.none()?;
@@ -136,6 +140,7 @@ impl Systems {
             changed,
             added: only(&new, &old),
             removed: only(&old, &new),
+            warnings,
         })
     }
 

@@ -1,6 +1,9 @@
 //! What differs, for programs.
 
-use kane_codegen::report::{Body, Change, Counted, LayoutChange, Meaning, Redeclared, ValueChange};
+use kane_codegen::{
+    diagnostic::{Diagnostics, Severity},
+    report::{Body, Change, Counted, LayoutChange, Meaning, Redeclared, ValueChange},
+};
 use serde_json::{Value, json};
 
 use super::{report::Report, systems::Systems};
@@ -33,6 +36,7 @@ pub(super) fn of_report(report: &Report) -> Value {
         "bodies": {
             "added": differences.added.iter().map(body).collect::<Value>(),
             "removed": differences.removed.iter().map(body).collect::<Value>(),
+            "renamed": differences.renamed.iter().map(renamed).collect::<Value>(),
         },
         "values": differences.values.iter().map(value_change).collect::<Value>(),
         "functions": {
@@ -43,8 +47,17 @@ pub(super) fn of_report(report: &Report) -> Value {
         },
         "options": report.options.iter().map(option).collect::<Value>(),
         "meanings": report.meanings.iter().map(meaning).collect::<Value>(),
+        "base_parameters": report.base.as_ref().map(meaning),
+        "constants": report.held.iter().map(meaning).collect::<Value>(),
+        "warnings": warnings(report),
         "diff": report.diff,
     })
+}
+
+fn warnings(report: &Report) -> Vec<&str> {
+    let all = report.warnings.iter().flat_map(Diagnostics::list);
+    let warnings = all.filter(|one| one.severity != Severity::Note);
+    warnings.map(|one| one.message.as_str()).collect()
 }
 
 fn redeclared(change: &Redeclared) -> Value {
@@ -75,6 +88,10 @@ fn layout(change: &LayoutChange) -> Value {
 
 fn body(body: &Body) -> Value {
     json!({ "name": body.name, "values": body.values })
+}
+
+fn renamed([old, new]: &[String; 2]) -> Value {
+    json!({ "old": old, "new": new })
 }
 
 fn value_change(change: &ValueChange) -> Value {

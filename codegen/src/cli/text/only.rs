@@ -1,0 +1,143 @@
+//! What alone differs between two texts: told by their tokens, for a number or a name of another length wraps lines.
+
+use std::{collections::BTreeMap, iter};
+
+/// What alone differs between two texts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Only {
+    /// Comments that no item has.
+    Comments,
+    /// These, and numbers of the model.
+    Numbers,
+    /// Comments, and names, each in all of its places.
+    Names,
+}
+
+impl Only {
+    pub(super) fn of(old: &str, new: &str) -> Option<Self> {
+        if code(old).eq(code(new)) {
+            return Some(Self::Comments);
+        }
+        let (old, new) = (tokens(old), tokens(new));
+        if old == new {
+            return None;
+        }
+        let [old_masked, new_masked] =
+            [&old, &new].map(|tokens| tokens.iter().copied().map(Token::masked));
+        if old_masked.eq(new_masked) {
+            Some(Self::Numbers)
+        } else if are_renamed(&old, &new) {
+            Some(Self::Names)
+        } else {
+            None
+        }
+    }
+}
+
+/// A piece of code.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Token<'a> {
+    /// A name or a keyword.
+    Word(&'a str),
+    /// A number of the model: it has a decimal point or an exponent; with a minus that opens an argument or an entry.
+    Real(&'a str),
+    /// A hash, which changes with all of them.
+    Hash(&'a str),
+    /// Everything else, indexes and lengths too.
+    Other(&'a str),
+}
+
+impl Token<'_> {
+    /// The same for all numbers of the model.
+    fn masked(self) -> Self {
+        match self {
+            Self::Real(_) => Self::Real(""),
+            Self::Hash(_) => Self::Hash(""),
+            token => token,
+        }
+    }
+}
+
+/// True where each name stands for one other, in all of its places.
+fn are_renamed(old: &[Token<'_>], new: &[Token<'_>]) -> bool {
+    let (mut there, mut back) = (BTreeMap::new(), BTreeMap::new());
+    let mut pairs = iter::zip(old, new);
+    let are_alike = |(old, new)| match (old, new) {
+        (&Token::Word(old), &Token::Word(new)) => {
+            *there.entry(old).or_insert(new) == new && *back.entry(new).or_insert(old) == old
+        }
+        (Token::Hash(_), Token::Hash(_)) => true,
+        (old, new) => old == new,
+    };
+    old.len() == new.len() && pairs.all(are_alike)
+}
+
+/// The lines without comments that no item has.
+fn code(text: &str) -> impl Iterator<Item = &str> {
+    let is_code = |line: &&str| !line.starts_with("//") || line.starts_with("///");
+    text.lines().filter(is_code)
+}
+
+/// The code without what only lays it out: spaces, line ends, commas before closing brackets.
+fn tokens(text: &str) -> Vec<Token<'_>> {
+    let mut tokens = Vec::new();
+    for line in code(text) {
+        let line = line.trim_start();
+        let mut rest = line.strip_prefix("///").unwrap_or(line).trim_start();
+        while !rest.is_empty() {
+            let (token, after) = first(rest, tokens.last());
+            let closes = matches!(token, Token::Other(")" | "]" | "}"));
+            if closes && tokens.last() == Some(&Token::Other(",")) {
+                tokens.pop();
+            }
+            tokens.push(token);
+            rest = after.trim_start();
+        }
+    }
+    tokens
+}
+
+/// The token with which a text begins, and the rest.
+fn first<'a>(text: &'a str, previous: Option<&Token<'_>>) -> (Token<'a>, &'a str) {
+    let starts_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+    let opens = matches!(
+        previous,
+        Some(Token::Other("(" | "[" | "{" | "," | "=" | ":"))
+    );
+    let sign = usize::from(opens && text.starts_with('-'));
+    if starts_number(&text[sign..]) {
+        let (token, rest) = text.split_at(sign + number(&text[sign..]));
+        let token = match token {
+            hash if hash.starts_with("0x") => Token::Hash(hash),
+            real if real.contains(['.', 'e', 'E']) => Token::Real(real),
+            index => Token::Other(index),
+        };
+        return (token, rest);
+    }
+    let is_in_name = |character: char| character.is_alphanumeric() || character == '_';
+    let word = text.find(|character| !is_in_name(character));
+    match word.unwrap_or(text.len()) {
+        0 => {
+            let length = text.chars().next().map_or(0, char::len_utf8);
+            let (token, rest) = text.split_at(length);
+            (Token::Other(token), rest)
+        }
+        length => {
+            let (word, rest) = text.split_at(length);
+            (Token::Word(word), rest)
+        }
+    }
+}
+
+/// How long the number is with which a text begins.
+fn number(text: &str) -> usize {
+    let mut previous = ' ';
+    let mut goes_on = |character: char| {
+        let signs = matches!(character, '+' | '-') && matches!(previous, 'e' | 'E');
+        let goes_on = character.is_ascii_alphanumeric() || matches!(character, '.' | '_') || signs;
+        previous = character;
+        goes_on
+    };
+    text.find(|character| !goes_on(character))
+        .unwrap_or(text.len())
+}

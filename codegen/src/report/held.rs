@@ -1,0 +1,109 @@
+//! Arrays of numbers of two modules that hold something else: limits, friction, frames.
+//!
+//! In: two texts. Out: each such constant with its first entry that differs. What other comparisons tell is left out: names, places, bodies.
+
+use std::{collections::BTreeMap, iter};
+
+use quote::ToTokens as _;
+use syn::{Expr, File, Item};
+
+use super::{
+    constants::{entries, field, string},
+    meaning::Meaning,
+    places::{ENDINGS, text},
+};
+use crate::{
+    functions::{PARAMETER_NAMES, PRESCRIBED},
+    listing::constants::{
+        BASE_PARAMETER_TERMS, BASE_PARAMETERS, BODY_NAMES, COORDINATE_NAMES, LOWER_BODIES,
+        OPERATIONS, SPEED_NAMES,
+    },
+    rust,
+};
+
+/// What others tell of.
+const TOLD: [&str; 9] = [
+    BASE_PARAMETERS,
+    BASE_PARAMETER_TERMS,
+    BODY_NAMES,
+    COORDINATE_NAMES,
+    LOWER_BODIES,
+    OPERATIONS,
+    PARAMETER_NAMES,
+    PRESCRIBED,
+    SPEED_NAMES,
+];
+
+/// Compares the arrays of two modules that have one length in both.
+///
+/// # Errors
+/// A text that is not Rust.
+pub fn held(old: &str, new: &str) -> Result<Vec<Meaning>, syn::Error> {
+    let read = |text| rust::read(text, |file| arrays(&file));
+    let old: BTreeMap<String, Vec<Part>> = read(old)?.into_iter().collect();
+    let both = read(new)?.into_iter().filter_map(|(name, new)| {
+        let old = old.get(&name)?;
+        // What has another name came or went, which is told.
+        let are_same = iter::zip(old, &new).all(|(old, new)| old.place == new.place);
+        if old.len() != new.len() || !are_same {
+            return None;
+        }
+        let mut others = iter::zip(old, &new).filter(|(old, new)| old.text != new.text);
+        let (old, new) = others.next()?;
+        let rest = match others.count() {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        Some(Meaning {
+            name: format!("{name}{}{rest}", new.place),
+            old: old.text.clone(),
+            new: new.text.clone(),
+        })
+    });
+    Ok(both.collect())
+}
+
+/// An entry of an array, or a field of one.
+struct Part {
+    /// Which it is: `[2]`, `[2].position of tool`.
+    place: String,
+    text: String,
+}
+
+fn arrays(file: &File) -> Vec<(String, Vec<Part>)> {
+    let constants = file.items.iter().filter_map(|item| match item {
+        Item::Const(constant) => Some((constant.ident.to_string(), &*constant.expr)),
+        _ => None,
+    });
+    let is_told =
+        |name: &str| TOLD.contains(&name) || ENDINGS.iter().any(|ending| name.ends_with(ending));
+    let arrays = constants.filter(|(name, _)| !is_told(name));
+    let arrays = arrays.map(|(name, list)| {
+        let parts = entries(list).into_iter().enumerate();
+        (name, parts.flat_map(parts_of).collect())
+    });
+    arrays.collect()
+}
+
+fn parts_of((place, entry): (usize, &Expr)) -> Vec<Part> {
+    let part = |place, value| Part {
+        place,
+        text: shown(value),
+    };
+    let Expr::Struct(fields) = entry else {
+        return vec![part(format!("[{place}]"), entry)];
+    };
+    let name = field(entry, "name").and_then(string);
+    let of = name.map_or_else(String::new, |name| format!(" of {name}"));
+    let fields = fields.fields.iter().map(|field| {
+        let member = field.member.to_token_stream();
+        part(format!("[{place}].{member}{of}"), &field.expr)
+    });
+    fields.collect()
+}
+
+/// An expression without most of the spaces between its tokens.
+fn shown(value: &Expr) -> String {
+    let text = text(value).replace("- ", "-").replace(" ,", ",");
+    text.replace("[ ", "[").replace(" ]", "]")
+}

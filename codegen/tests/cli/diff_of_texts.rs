@@ -1,0 +1,185 @@
+//! What `kane diff` tells of generated text: which kind of difference it is, and what constants of modules hold.
+
+use serde_json::Value;
+
+use super::project::{Project, Ran, model, repository, system};
+
+/// A URDF and the same with an edit.
+fn edited([from, to]: [&str; 2], options: &[&str]) -> Ran {
+    let text = std::fs::read_to_string(repository("models/arm.urdf")).unwrap();
+    assert!(text.contains(from), "{from}");
+    let project = Project::empty();
+    project.write("old.urdf", &text);
+    project.write("new.urdf", &text.replace(from, to));
+    project.kane(&[&["diff", "old.urdf", "new.urdf"], options].concat())
+}
+
+/// A module of that URDF, `old.rs`, and one after an edit of the text, `new.rs`.
+fn by_hand([from, to]: [&str; 2]) -> Project {
+    let project = Project::empty();
+    let robot = repository("models/arm.urdf");
+    let robot = robot.to_str().unwrap();
+    let functions = ["--functions", "bias,jacobian(tool)", "--output", "old.rs"];
+    let ran = project.kane(&[&["generate", robot], &functions[..]].concat());
+    assert_eq!(ran.code, 0, "{ran:?}");
+    project.write("new.rs", &project.read("old.rs"));
+    project.replace("new.rs", from, to);
+    project
+}
+
+#[test]
+fn base_parameters_that_are_other_sums_are_told_and_break_nothing() {
+    let longer = ["xyz=\"0.4 0 0\"", "xyz=\"0.41 0 0\""];
+    let functions = ["--functions", "base_regressor"];
+    let ran = edited(longer, &functions);
+    let said = "\nbase parameters\n  changed  BASE_PARAMETERS[0] and 4 more  izz(shoulder) + izz(upper_arm) + 0.16 m(forearm) + izz(forearm) -> ";
+    assert!(ran.out.contains(said), "{}", ran.out);
+    assert!(!ran.out.contains("BREAKING"), "{}", ran.out);
+    // Names are no other sums.
+    let ran = edited(["\"forearm\"", "\"radius\""], &functions);
+    assert!(!ran.out.contains("base parameters"), "{}", ran.out);
+}
+
+#[test]
+fn number_of_base_parameters_is_told_where_bodies_come() {
+    let hinge = [
+        "name=\"flange\" type=\"fixed\"",
+        "name=\"flange\" type=\"continuous\"",
+    ];
+    let json = edited(
+        hinge,
+        &["--functions", "base_regressor", "--format", "json"],
+    );
+    let told: Value = serde_json::from_str(&json.out).unwrap();
+    let base = &told["base_parameters"];
+    assert_eq!(
+        (&base["name"], &base["old"]),
+        (&"BASE_PARAMETERS".into(), &"15 entries".into())
+    );
+    assert_ne!(base["new"], base["old"]);
+}
+
+#[test]
+fn warnings_about_the_new_model_alone_are_told() {
+    let typo = ["dynamics damping=\"0.05\"", "dynamics dampin=\"0.05\""];
+    let ran = edited(typo, &[]);
+    assert!(ran.err.starts_with("warning: new.urdf:"), "{}", ran.err);
+    assert!(
+        ran.err.contains("unknown attribute `dampin`"),
+        "{}",
+        ran.err
+    );
+    let ran = edited(typo, &["--format", "json"]);
+    let told: Value = serde_json::from_str(&ran.out).unwrap();
+    let warnings = told["warnings"].as_array().unwrap();
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    // What the old model has too is no news.
+    let project = Project::empty();
+    let text = std::fs::read_to_string(repository("models/arm.urdf")).unwrap();
+    let text = text.replace(typo[0], typo[1]);
+    project.write("old.urdf", &text);
+    project.write("new.urdf", &text.replace("\"0.5\"", "\"0.75\""));
+    let ran = project.kane(&["diff", "old.urdf", "new.urdf"]);
+    assert_eq!((ran.code, ran.err.as_str()), (1, ""));
+}
+
+#[test]
+fn arrays_of_modules_that_hold_something_else_are_named() {
+    let limits = [
+        "LOWER_LIMITS: [f64; NQ] = [-3.1,",
+        "LOWER_LIMITS: [f64; NQ] = [-3.05,",
+    ];
+    let ran = by_hand(limits).kane(&["diff", "old.rs", "new.rs"]);
+    let said = "\nconstants\n  changed  LOWER_LIMITS[0]  -3.1 -> -3.05\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+    let tool = ["position: [0.3, 0.0, 0.0]", "position: [0.3, 0.5, 0.0]"];
+    let project = by_hand(tool);
+    let ran = project.kane(&["diff", "old.rs", "new.rs"]);
+    let said = "FRAMES[1].position of tool  [0.3, 0.0, 0.0] -> [0.3, 0.5, 0.0]\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+    let ran = project.kane(&["diff", "old.rs", "new.rs", "--format", "json"]);
+    let told: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(told["constants"][0]["name"], "FRAMES[1].position of tool");
+}
+
+#[test]
+fn module_that_was_edited_by_hand_is_known_as_such() {
+    let note = "the model and all that is asked for are the same: edited by hand, or written by another version of kane\n";
+    let ran =
+        by_hand(["R::from_f64(9.81)", "R::from_f64(9.5)"]).kane(&["diff", "old.rs", "new.rs"]);
+    assert!(ran.out.starts_with(note), "{}", ran.out);
+    let ran = by_hand([", format ", ", format 1"]).kane(&["diff", "old.rs", "new.rs"]);
+    assert!(
+        ran.out.starts_with(
+            "bodies and joints are the same: written by other versions of kane, in formats "
+        ),
+        "{}",
+        ran.out
+    );
+}
+
+#[test]
+fn all_functions_are_told_where_everything_is() {
+    let heavier = ["<mass value=\"0.5\"/>", "<mass value=\"0.75\"/>"];
+    let ran = edited(heavier, &[]);
+    assert!(ran.out.contains(" and 4 more\n"), "{}", ran.out);
+    let ran = edited(heavier, &["--verbose"]);
+    assert!(!ran.out.contains(" more\n"), "{}", ran.out);
+    let last = "potential_energy\n";
+    assert!(ran.out.ends_with(last), "{}", ran.out);
+}
+
+#[test]
+fn wrapped_lines_hide_neither_numbers_nor_names_alone() {
+    // The longer number or name does not fit on the line.
+    let longer = ["<mass value=\"1.0\"/>", "<mass value=\"1.23456789\"/>"];
+    let ran = edited(longer, &[]);
+    assert!(ran.out.ends_with("; only numbers changed\n"), "{}", ran.out);
+    let lines = |ran: &Ran| -> Vec<usize> {
+        let line = ran.out.lines().last().unwrap();
+        let numbers = line.split([' ', ',']).filter_map(|word| word.parse().ok());
+        numbers.take(2).collect()
+    };
+    let counts = lines(&ran);
+    assert_ne!(counts[0], counts[1], "nothing is wrapped: {}", ran.out);
+
+    let renamed = ["\"forearm\"", "\"a_forearm_with_a_long_name\""];
+    let ran = edited(renamed, &[]);
+    assert!(ran.out.ends_with("; only names changed\n"), "{}", ran.out);
+    let counts = lines(&ran);
+    assert_ne!(counts[0], counts[1], "nothing is wrapped: {}", ran.out);
+}
+
+#[test]
+fn names_and_numbers_together_are_neither_alone() {
+    let old = model("arm", "2.0");
+    let new = old
+        .replace("\"fore\"", "\"shank\"")
+        .replace("mass = 1.5", "mass = 1.75");
+    let project = Project::empty();
+    project.write("old.toml", &old);
+    project.write("new.toml", &new);
+    let ran = project.kane(&["diff", "old.toml", "new.toml", "--functions", "bias"]);
+    assert!(!ran.out.contains("only "), "{}", ran.out);
+}
+
+#[test]
+fn warnings_are_told_of_systems_whose_modules_are_the_same() {
+    let project = Project::empty();
+    let text = std::fs::read_to_string(repository("models/arm.urdf")).unwrap();
+    project.write("arm.urdf", &text);
+    project.write("kane.toml", &system("arm.urdf", "arm.rs"));
+    let project = project.committed();
+    project.replace(
+        "arm.urdf",
+        "damping=\"0.05\"",
+        "damping=\"0.05\" spring=\"1\"",
+    );
+    let ran = project.kane(&["diff", "HEAD"]);
+    assert_eq!((ran.code, ran.out.as_str()), (0, ""));
+    assert!(
+        ran.err.contains("unknown attribute `spring`"),
+        "{}",
+        ran.err
+    );
+}
