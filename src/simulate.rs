@@ -208,7 +208,7 @@ pub fn simulate<S: ForwardDynamics<f64>>(
     Ok(samples)
 }
 
-/// The integrator refuses steps shorter than 1e-14 of the one before.
+/// The integrator refuses steps shorter than 1e-14 of the one before; ten times that is safe.
 fn least_step<Y: State<f64>>(method: &impl OrdinaryNumericalMethod<f64, Y>) -> f64 {
     1e-13 * (method.t() - method.t_prev())
 }

@@ -21,8 +21,9 @@
 //! system's.
 //!
 //! For loads on a driven system, add their [`GeneralizedForces`](crate::functions::GeneralizedForces) at the state to `tau`. This is exact for
-//! [`euler::step`](crate::discrete::euler::step) alone: other steps also ask for forces at states within, and derivatives of steps miss how
-//! these forces change with `q`.
+//! [`discrete::euler::step`](crate::discrete::euler::step), and where a control law adds them at each stage
+//! ([`rk4_step_with`](crate::integrate::rk4_step_with), `simulate`). Other steps ask for forces at states within, and derivatives of steps
+//! miss how these forces change with `q`.
 //!
 //! ```
 //! # #[cfg(feature = "eight_body")] {

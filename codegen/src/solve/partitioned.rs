@@ -78,7 +78,7 @@ impl FreeSpeeds {
     pub fn inverse(&self, graph: &mut ExprGraph, tree: &Tree, in_lockstep: bool) -> SpeedMatrix {
         let none = Carriers::default();
         let how = Inversion {
-            // No more lanes stay empty than are taken.
+            // As in a solution: a call pays where at least half its lanes are taken.
             in_lockstep: in_lockstep.then_some(LANES / 2),
             ..Inversion::by(&none)
         };

@@ -293,8 +293,26 @@ fn what_is_locked_or_removed_is_told_as_such() {
         assert_eq!(ran.code, 2);
         ran.err
     };
-    let locked = told(&["--lock", "fore_theta2=0.3"]);
-    assert!(locked.contains("`lock` holds it at 0.3"), "{locked}");
+    let held = "`lock` holds it at 0.3";
+    for name in ["fore_theta2", "fore"] {
+        project.write("state.json", &format!(r#"{{"q": {{"{name}": 1}}}}"#));
+        for lock in ["fore_theta2=0.3", "fore=0.3"] {
+            let locked = told(&["--lock", lock]);
+            assert!(locked.contains(held), "{locked}");
+            assert!(!locked.contains("speed"), "{locked}");
+        }
+    }
+    project.write("state.json", r#"{"q": {}, "tau": {"fore": 1}}"#);
+    let asked = ["eval", "arm.toml", "--function", "mass_matrix_solve"];
+    let lock = ["--state", "state.json", "--lock", "fore=0.3"];
+    let of_force = project.kane(&[&asked[..], &lock].concat()).err;
+    assert!(
+        of_force.contains("holds it at 0.3, so that it has no speed"),
+        "{of_force}"
+    );
+    project.write("state.json", r#"{"q": {"fore_theta1": 1}}"#);
+    let other = told(&["--lock", "fore_theta2=0.3"]);
+    assert!(!other.contains(held), "{other}");
     project.write("state.json", r#"{"q": {"fore": 1}}"#);
     let removed = told(&["--remove", "fore"]);
     assert!(removed.contains("`remove` fixes it at zero"), "{removed}");
@@ -324,10 +342,20 @@ fn several_functions_are_joined_by_a_plus() {
         let ran = project.kane(&[&["eval", "arm.toml"], asked].concat());
         assert_eq!(ran.code, 2);
         insta::allow_duplicates! {
-            insta::assert_snapshot!(ran.err, @"error: 2 functions are asked for; join them with `+`: `bias+mass_matrix`");
+            insta::assert_snapshot!(ran.err, @"error: 2 functions are asked for; expected one: join them with `+`, `bias+mass_matrix`");
         }
     }
     // Commas in brackets separate none.
     let ran = arm("d(bias)/d(q,u)", r#"{"q": {}, "u": {}}"#);
     assert_eq!(ran.code, 0, "{}", ran.err);
+    // What cannot be joined, and what is one function, have no such advice.
+    let ran = project.kane(&["eval", "arm.toml", "-f", "bias", "-f", "all"]);
+    assert_eq!(ran.err, "error: 2 functions are asked for; expected one\n");
+    for one in [
+        &["-f", "inertial_parameters,"][..],
+        &["-f", "inertial_parameters", "-f", "inertial_parameters"],
+    ] {
+        let ran = project.kane(&[&["eval", "arm.toml"], one].concat());
+        assert_eq!(ran.code, 0, "{}", ran.err);
+    }
 }

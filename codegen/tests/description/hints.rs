@@ -32,7 +32,7 @@ fn of_joint(kind: &str, inside: &str) -> String {
 }
 
 #[test]
-fn negative_limits_and_negative_friction_are_left_out() {
+fn negative_limits_and_negative_friction_count_as_none() {
     let limits = "<limit lower='-1' upper='1' effort='-1' velocity='-1'/><dynamics friction='-2'/>";
     let tree = robot(&of_joint("revolute", limits), Base::Fixed)
         .unwrap()

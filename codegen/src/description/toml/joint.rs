@@ -110,32 +110,8 @@ fn kind(reader: &mut Reader, item: &Item<'_>, what: &str) -> Given<JointKind> {
         }
     }
     // With an entry lost, what moves and what does not is unknown, and judging it would mislead.
-    if reader.faults.count() != before {
-        return None;
-    }
-    let turns = coordinates.iter().filter(|one| one.value.is_angle());
-    let turns: Vec<_> = turns.copied().collect();
-    warn_of_order(reader, &turns, what);
-    Some(Spanned::new(JointKind::List(coordinates), span(item)))
-}
-
-/// Warns where rotations are listed in an order that is not theirs.
-fn warn_of_order(reader: &mut Reader, turns: &[Spanned<CoordinateName>], what: &str) {
-    let unordered = turns.windows(2).find(|pair| pair[0].value > pair[1].value);
-    let Some([first, second]) = unordered else {
-        return;
-    };
-    let message = format!(
-        "{what} lists `{}` before `{}`; the order means nothing: rotations are about x, then y, then z",
-        first.value.name(),
-        second.value.name()
-    );
-    let warning = Diagnostic::warning(message)
-        .at(first.span, "listed first")
-        .at(second.span, "turns first")
-        .one_of("joints list rotations in an order that means nothing", what)
-        .help("for another order use a chain of bodies, all but the last one massless");
-    reader.faults.push(warning);
+    (reader.faults.count() == before)
+        .then(|| Spanned::new(JointKind::List(coordinates), span(item)))
 }
 
 fn named_kind(reader: &mut Reader, item: &Item<'_>, text: &str, what: &str) -> Given<JointKind> {

@@ -2,7 +2,7 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, what to say beside them, and other names of the same, or of what differs as that says.
-pub(super) const REQUESTS: [(&str, &str, &[&str]); 70] = [
+pub(super) const REQUESTS: [(&str, &str, &[&str]); 71] = [
     (
         "inverse_dynamics",
         "",
@@ -378,9 +378,12 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 70] = [
             "reactions",
             "reactionforces",
             "jointreactions",
-            "jointforces",
-            "constraintforces",
         ],
+    ),
+    (
+        "joint_wrenches",
+        "which along the free motions have the forces of motor, spring and damper",
+        &["jointforces", "constraintforces"],
     ),
     (
         "d(inverse_dynamics)/d(q, u, u_dot)",
@@ -419,7 +422,7 @@ pub(super) const REQUESTS: [(&str, &str, &[&str]); 70] = [
     ),
     ("loaded_inverse_dynamics", "at rest", &["statictorque"]),
     ("d(bias)/d(q)", "at rest", &["stiffnessmatrix"]),
-    ("d(bias)/d(u)", "", &["dampingmatrix"]),
+    ("d(bias)/d(u)", "at rest", &["dampingmatrix"]),
     (
         "d(gravity_forces)/d(q)",
         "",

@@ -214,12 +214,11 @@ impl Writer<'_> {
         operand: &Operand,
     ) -> Expr {
         let (row, is_negative) = self.lanes(operand);
-        let expr = match self.shared_number(&row) {
-            Some(number) => helper.number(number),
-            None => {
-                helper.enter_like(self.old, operand.nodes[0]);
-                helper.input(places[&row])
-            }
+        let expr = if let Some(number) = self.shared_number(&row) {
+            helper.number(number)
+        } else {
+            helper.enter_like(self.old, operand.nodes[0]);
+            helper.input(places[&row])
         };
         expr.signed(is_negative)
     }

@@ -177,11 +177,11 @@ impl Check<'_> {
             .filter(|value| value.value < 0.0)
         {
             let message = format!(
-                "`friction` of {} is {:?}; it is left out",
+                "`friction` of {} is {:?}; it counts as zero",
                 self.name, value.value
             );
             let warning = Diagnostic::warning(message).at(value.span, "negative");
-            let warning = warning.one_of("negative frictions are left out", self.called);
+            let warning = warning.one_of("negative frictions count as zero", self.called);
             self.findings.push(warning);
         }
     }
@@ -344,11 +344,11 @@ impl Check<'_> {
         for (what, limit) in [("velocity", limits.velocity), ("effort", limits.effort)] {
             if let Some(limit) = limit.filter(|limit| limit.value < 0.0) {
                 let message = format!(
-                    "the `{what}` limit of {} is {:?}; it is left out",
+                    "the `{what}` limit of {} is {:?}; it counts as none",
                     self.name, limit.value
                 );
                 let warning = Diagnostic::warning(message).at(limit.span, "negative");
-                let all = format!("negative limits of {what} are left out");
+                let all = format!("negative limits of {what} count as none");
                 self.findings.push(warning.one_of(all, self.called));
             }
         }

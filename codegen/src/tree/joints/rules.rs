@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::description::{Chart, CoordinateName, Description, Speeds, WrittenBody, urdf};
+use crate::description::{
+    Chart, CoordinateName, Description, JointKind, Speeds, WrittenBody, urdf,
+};
 use crate::diagnostic::{Diagnostic, Escaped, Span};
 use crate::tree::changes::Changes;
 use crate::tree::joints::mechanics_rules::mechanics;
@@ -24,6 +26,7 @@ pub(crate) fn check(
     for (index, (body, joint)) in description.bodies.iter().zip(joints).enumerate() {
         let Some(joint) = joint else { continue };
         let name = shown_by_joint(description, index);
+        findings.extend(order(body, &name));
         locked(body, joint, &name, findings);
         orientation(body, joint, &name, findings);
         mechanics(body, joint, &name, findings);
@@ -91,6 +94,26 @@ fn names_twice(description: &Description, findings: &mut Vec<Diagnostic>) {
             });
         }
     }
+}
+
+/// Rotations that a list names in an order that is not theirs.
+fn order(body: &WrittenBody, name: &str) -> Option<Diagnostic> {
+    let JointKind::List(coordinates) = &body.joint.kind.as_ref()?.value else {
+        return None;
+    };
+    let turns = coordinates.iter().filter(|one| one.value.is_angle());
+    let mut pairs = turns.clone().zip(turns.skip(1));
+    let (first, second) = pairs.find(|(one, next)| one.value > next.value)?;
+    let message = format!(
+        "`joint` of {name} lists `{}` before `{}`; the order means nothing: rotations are about x, then y, then z",
+        first.value.name(),
+        second.value.name()
+    );
+    let warning = Diagnostic::warning(message)
+        .at(first.span, "listed first")
+        .at(second.span, "turns first")
+        .one_of("joints list rotations in an order that means nothing", name);
+    Some(warning.help("for another order use a chain of bodies, all but the last one massless"))
 }
 
 fn locked(body: &WrittenBody, joint: &ResolvedJoint, name: &str, findings: &mut Vec<Diagnostic>) {

@@ -1,6 +1,7 @@
 //! Arguments that are given by names: `{"q": {"elbow": 0.3}}`. What is not named is zero, and quaternions are no rotation.
 
 use kane_codegen::{
+    description::CoordinateName,
     diagnostic::Escaped,
     functions::{Argument, Dimension},
     tree::{Changes, Joint, Tree},
@@ -96,14 +97,34 @@ fn speeds(joint: &Joint) -> Vec<usize> {
     all.map(|(_, own)| own.index()).collect()
 }
 
-/// What holds a coordinate or a joint of this name.
-pub(super) fn held(changes: &Changes, name: &str) -> Option<String> {
+/// What holds a coordinate or a joint of this name, which has no place in the argument.
+pub(super) fn held(changes: &Changes, argument: Argument, name: &str) -> Option<String> {
     let mut locked = changes.lock.iter();
-    let value = locked.find(|(own, _)| own == name).map(|(_, value)| value);
-    let is_removed = changes.remove.iter().any(|own| own == name);
-    value
-        .map(|value| format!("`{}` holds it at {value:?}", Changes::LOCK))
-        .or_else(|| is_removed.then(|| format!("`{}` fixes it at zero", Changes::REMOVE)))
+    let value = locked.find(|(own, _)| is_one_joint(own, name));
+    let is_removed = || {
+        let mut removed = changes.remove.iter();
+        removed.any(|own| is_one_joint(own, name))
+    };
+    let held = match value {
+        Some((_, value)) => format!("`{}` holds it at {value:?}", Changes::LOCK),
+        None if is_removed() => format!("`{}` fixes it at zero", Changes::REMOVE),
+        None => return None,
+    };
+    Some(if argument == Argument::Q {
+        held
+    } else {
+        format!("{held}, so that it has no speed")
+    })
+}
+
+/// True of the name of a joint or coordinate twice, and of that of a joint with that of one of its coordinates.
+fn is_one_joint(one: &str, other: &str) -> bool {
+    let is_coordinate_of = |long: &str, short: &str| {
+        let rest = long.strip_prefix(short);
+        let coordinate = rest.and_then(|rest| rest.strip_prefix('_'));
+        coordinate.and_then(CoordinateName::named).is_some()
+    };
+    one == other || is_coordinate_of(one, other) || is_coordinate_of(other, one)
 }
 
 /// Where something moves or is that has no place of its own: a joint that follows another, a link that is fixed to a body.

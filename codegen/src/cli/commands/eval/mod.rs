@@ -7,6 +7,7 @@ mod unique;
 mod unphysical;
 
 use std::{
+    fmt::Write as _,
     io::{self, Write},
     path::{Path, PathBuf},
     slice,
@@ -18,7 +19,7 @@ use kane_codegen::{
     compile::{self, Plans},
     diagnostic::{Escaped, Source},
     error::Error,
-    functions::{CompactBlock, Dimension, Packed, Request, split},
+    functions::{CompactBlock, Dimension, Packed, Parsed, Request, split},
     input,
     options::Formulation,
     recursive::Technique,
@@ -100,10 +101,14 @@ pub(crate) fn run(
 ) -> Result<Outcome, Failures> {
     let asked = only(&arguments.function)?;
     let mut failures = Failures::default();
-    let job = listed::looked_at(&arguments.model, &arguments.changes, slice::from_ref(asked));
+    let job = listed::looked_at(
+        &arguments.model,
+        &arguments.changes,
+        slice::from_ref(&asked),
+    );
     let listed = job.as_ref().ok().map(|job| &job.options.functions);
-    let is_named = listed.is_some_and(|listed| functions::named(asked, listed).is_some());
-    let function = failures.keep(functions::request(asked, listed));
+    let is_named = listed.is_some_and(|listed| functions::named(&asked, listed).is_some());
+    let function = failures.keep(functions::request(&asked, listed));
     let job = failures.keep(job);
     let checked = job.as_ref().map(Job::checked);
     let checked = checked.and_then(|checked| failures.keep(checked));
@@ -161,20 +166,22 @@ pub(crate) fn run(
 }
 
 /// The only function among these texts: commas outside brackets separate several.
-fn only(texts: &[String]) -> Result<&String, Failures> {
-    let names: Vec<&str> = texts
-        .iter()
-        .flat_map(|text| split(text))
-        .map(str::trim)
-        .collect();
-    match texts {
-        [only] if names.len() == 1 => Ok(only),
-        _ => Err(Failures::message(format!(
-            "{} functions are asked for; join them with `+`: `{}`",
-            names.len(),
-            names.join("+").escaped()
-        ))),
+fn only(texts: &[String]) -> Result<String, Failures> {
+    let mut names: Vec<&str> = Vec::new();
+    for name in texts.iter().flat_map(|text| split(text)).map(str::trim) {
+        if !name.is_empty() && !names.contains(&name) {
+            names.push(name);
+        }
     }
+    if let [] | [_] = names[..] {
+        return Ok(names.concat());
+    }
+    let mut message = format!("{} functions are asked for; expected one", names.len());
+    let joined = names.join("+");
+    if Parsed::read(&joined).is_ok() {
+        let _ = write!(message, ": join them with `+`, `{}`", joined.escaped());
+    }
+    Err(Failures::message(message))
 }
 
 /// Where it says which sums base parameters are.

@@ -214,7 +214,7 @@ impl Reader<'_> {
                 // Names of speeds end in it, and are listed without.
                 let name = name.strip_suffix("_dot").unwrap_or(name);
                 let help = elsewhere(self.tree, argument, name)
-                    .or_else(|| held(self.changes, name))
+                    .or_else(|| held(self.changes, argument, name))
                     .unwrap_or_else(|| self.known_names(name, &places.names(), places.kind));
                 self.fault_of_key(&what, fault.help(help));
             }
