@@ -103,6 +103,44 @@ fn arrays_of_modules_that_hold_something_else_are_named() {
 }
 
 #[test]
+fn arrays_of_one_number_are_compared_with_lists() {
+    let none = "FRICTION: [f64; NU] = [0.0; NU];";
+    let list = by_hand([none, "FRICTION: [f64; NU] = [0.0, 0.5, 0.0];"]);
+    let ran = list.kane(&["diff", "old.rs", "new.rs"]);
+    let said = "\nconstants\n  changed  FRICTION[1]  0.0 -> 0.5\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+    let ran = list.kane(&["diff", "new.rs", "old.rs"]);
+    let said = "\nconstants\n  changed  FRICTION[1]  0.5 -> 0.0\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+    let all = by_hand([none, "FRICTION: [f64; NU] = [0.5; NU];"]);
+    let ran = all.kane(&["diff", "old.rs", "new.rs"]);
+    let said = "\nconstants\n  changed  FRICTION[0] and 2 more  0.0 -> 0.5\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+}
+
+#[test]
+fn entries_of_arrays_are_told_as_people_write_them() {
+    let unlimited = "VELOCITY_LIMITS: [f64; NU] = [f64::INFINITY, 3.0, 4.0]";
+    let limits = by_hand(["VELOCITY_LIMITS: [f64; NU] = [3.0, 3.0, 4.0]", unlimited]);
+    let ran = limits.kane(&["diff", "old.rs", "new.rs"]);
+    let said = "VELOCITY_LIMITS[0]  3.0 -> f64::INFINITY\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+    let body = ["body: Some(2)", "body: Some(1)"];
+    let ran = by_hand(body).kane(&["diff", "old.rs", "new.rs"]);
+    let said = "  Some(2) -> Some(1)\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+}
+
+#[test]
+fn joints_are_told_once() {
+    let name = ["name: \"elbow\"", "name: \"hinge\""];
+    let ran = by_hand(name).kane(&["diff", "old.rs", "new.rs"]);
+    let said = "\nbodies and joints\n  changed  forearm: joint_name  elbow -> hinge\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+    assert!(!ran.out.contains("JOINTS"), "{}", ran.out);
+}
+
+#[test]
 fn module_that_was_edited_by_hand_is_known_as_such() {
     let note = "the model and all that is asked for are the same: edited by hand, or written by another version of kane\n";
     let ran =
