@@ -149,8 +149,67 @@ fn module_that_was_edited_by_hand_is_known_as_such() {
     let ran = by_hand([", format ", ", format 1"]).kane(&["diff", "old.rs", "new.rs"]);
     assert!(
         ran.out.starts_with(
-            "bodies and joints are the same: written by other versions of kane, in formats "
+            "bodies and joints are the same: written by different versions of kane, formats "
         ),
+        "{}",
+        ran.out
+    );
+    let first = ran.out.lines().next().unwrap();
+    assert!(!first.contains("functions"), "{first}");
+}
+
+#[test]
+fn other_versions_of_kane_do_not_hide_that_functions_differ() {
+    let project = by_hand([", format ", ", format 1"]);
+    for file in ["old.rs", "new.rs"] {
+        let functions = if file == "old.rs" {
+            "bias"
+        } else {
+            "mass_matrix"
+        };
+        let robot = repository("models/arm.urdf");
+        let generate = [
+            "generate",
+            robot.to_str().unwrap(),
+            "--functions",
+            functions,
+        ];
+        let ran = project.kane(&[&generate[..], &["--output", file]].concat());
+        assert_eq!(ran.code, 0, "{ran:?}");
+    }
+    project.replace("new.rs", ", format ", ", format 1");
+    let ran = project.kane(&["diff", "old.rs", "new.rs"]);
+    let first = ran.out.lines().next().unwrap();
+    assert!(first.ends_with(", and functions differ"), "{first}");
+}
+
+#[test]
+fn other_layout_of_a_module_is_known_as_such() {
+    let spaces = by_hand(["pub const NB: usize", "pub  const  NB :usize"]);
+    let line_ends = by_hand(["\n", "\r\n"]);
+    let both = by_hand(["pub const NB: usize", "pub  const  NB :usize"]);
+    both.replace("new.rs", "\n", "\r\n");
+    for project in [spaces, line_ends, both] {
+        let ran = project.kane(&["diff", "old.rs", "new.rs"]);
+        let note = "only the layout differs: formatted by another tool\ngenerated text ";
+        assert!(ran.out.starts_with(note), "{}", ran.out);
+        assert!(
+            ran.out.ends_with("; only the layout changed\n"),
+            "{}",
+            ran.out
+        );
+    }
+}
+
+#[test]
+fn places_of_a_range_are_no_numbers_of_the_model() {
+    let weight = "R::from_f64(9.81)";
+    let project = by_hand([weight, "R::from_f64([9.81; 4][0..3][0])"]);
+    project.replace("old.rs", weight, "R::from_f64([9.81; 4][0..2][0])");
+    let ran = project.kane(&["diff", "old.rs", "new.rs"]);
+    assert_eq!(
+        (ran.code, ran.out.contains("only ")),
+        (1, false),
         "{}",
         ran.out
     );
