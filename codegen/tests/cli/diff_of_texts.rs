@@ -280,3 +280,30 @@ fn warnings_are_told_of_systems_whose_modules_are_the_same() {
         ran.err
     );
 }
+
+#[test]
+fn warnings_about_a_model_are_told_once_for_all_of_its_systems() {
+    let project = Project::empty();
+    let text = std::fs::read_to_string(repository("models/arm.urdf")).unwrap();
+    project.write("arm.urdf", &text);
+    let systems = ["one.rs", "two.rs"].map(|module| system("arm.urdf", module));
+    project.write("kane.toml", &systems.concat());
+    let project = project.committed();
+    let damping = "damping=\"0.05\"";
+    project.replace("arm.urdf", damping, &format!("{damping} spring=\"1\""));
+    let warning = "unknown attribute `spring`";
+    let ran = project.kane(&["diff", "HEAD"]);
+    assert_eq!(ran.err.matches(warning).count(), 1, "{}", ran.err);
+    // Programs and pull requests are told too, though no module differs.
+    let ran = project.kane(&["diff", "HEAD", "--format", "json"]);
+    let told: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(told["same"], true);
+    let warnings = told["warnings"].as_array().unwrap();
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    assert_eq!(warnings[0]["model"], "arm.urdf");
+    let message = warnings[0]["message"].as_str().unwrap();
+    assert!(message.contains(warning), "{message}");
+    let ran = project.kane(&["diff", "HEAD", "--format", "markdown"]);
+    let row = "| warning | `arm.urdf` | `unknown attribute 'spring'";
+    assert_eq!(ran.out.matches(row).count(), 1, "{}", ran.out);
+}

@@ -66,7 +66,13 @@ pub(super) fn markdown_of_systems(systems: &Systems) -> String {
     if systems.is_same() {
         text += "\nNothing differs.\n";
     }
-    text.extend(files(systems).iter().map(Section::table));
+    let mut sections = files(systems);
+    let warnings = systems.warnings().map(|[model, message]| {
+        let message = message.to_owned();
+        ["warning".to_owned(), model.to_owned(), message]
+    });
+    push(&mut sections, "new models", warnings.collect());
+    text.extend(sections.iter().map(Section::table));
     for report in &systems.changed {
         text.extend(["\n".to_owned(), markdown(report)]);
     }
