@@ -133,9 +133,10 @@ fn entries_of_arrays_are_told_as_people_write_them() {
 
 #[test]
 fn joints_are_told_once() {
-    let name = ["name: \"elbow\"", "name: \"hinge\""];
-    let ran = by_hand(name).kane(&["diff", "old.rs", "new.rs"]);
-    let said = "\nbodies and joints\n  changed  forearm: joint_name  elbow -> hinge\n";
+    let angle = "q: [None, Some(2), None, None, None, None, None]";
+    let length = "q: [None, None, None, None, Some(2), None, None]";
+    let ran = by_hand([angle, length]).kane(&["diff", "old.rs", "new.rs"]);
+    let said = "\nbodies and joints\n  changed  forearm: joint  theta2 -> s1\n";
     assert!(ran.out.contains(said), "{}", ran.out);
     assert!(!ran.out.contains("JOINTS"), "{}", ran.out);
 }
