@@ -1,6 +1,9 @@
 //! What the constants of a module hold.
 
-use syn::{Expr, ExprLit, File, Item, Lit, Member};
+use syn::{Expr, ExprLit, ExprRepeat, File, Item, Lit, Member};
+
+/// More than any array of a module has: a length is only read, and may be anything.
+const MOST_ENTRIES: u64 = 1_000_000;
 
 /// The value of a constant.
 pub(super) fn constant<'f>(file: &'f File, name: &str) -> Option<&'f Expr> {
@@ -10,9 +13,26 @@ pub(super) fn constant<'f>(file: &'f File, name: &str) -> Option<&'f Expr> {
     })
 }
 
-/// The entries of a constant; none where it is not there.
+/// The entries of a constant, `[x; N]` too; none where it is not there.
 pub(super) fn list<'f>(file: &'f File, name: &str) -> Vec<&'f Expr> {
-    constant(file, name).map_or_else(Vec::new, entries)
+    match constant(file, name) {
+        Some(Expr::Repeat(list)) => repeated(file, list),
+        Some(list) => entries(list),
+        None => Vec::new(),
+    }
+}
+
+/// The entries of `[x; N]`; none where no constant has its length, or an absurd one.
+fn repeated<'f>(file: &'f File, list: &'f ExprRepeat) -> Vec<&'f Expr> {
+    let length = match &*list.len {
+        Expr::Path(path) => path.path.get_ident(),
+        _ => None,
+    };
+    let length = length.map(ToString::to_string);
+    let length = length.and_then(|name| constant(file, &name));
+    let length = integer(length.unwrap_or(&list.len)).filter(|&length| length <= MOST_ENTRIES);
+    let length = length.and_then(|length| usize::try_from(length).ok());
+    vec![&*list.expr; length.unwrap_or(0)]
 }
 
 /// The entries of an array.

@@ -146,7 +146,7 @@ fn names_that_differ(old: &Outline, new: &Outline) -> Vec<[String; 2]> {
 }
 
 /// The old system with bodies called as in the new one, if the trees are the same but for names of bodies. Layouts keep the old names.
-pub(super) fn with_names_of(old: &Outline, new: &Outline) -> Option<Outline> {
+fn with_names_of(old: &Outline, new: &Outline) -> Option<Outline> {
     let pairs = old.bodies.iter().zip(&new.bodies);
     let pairs = pairs.filter(|(old, new)| old.name != new.name);
     let renamed: BTreeMap<&str, &str> = pairs.map(|(old, new)| (&*old.name, &*new.name)).collect();

@@ -8,25 +8,26 @@ use quote::ToTokens as _;
 use syn::{Expr, File, Item};
 
 use super::{
-    constants::{entries, field, string},
+    constants::{field, list, string},
     meaning::Meaning,
     places::{ENDINGS, text},
 };
 use crate::{
     functions::{PARAMETER_NAMES, PRESCRIBED},
     listing::constants::{
-        BASE_PARAMETER_TERMS, BASE_PARAMETERS, BODY_NAMES, COORDINATE_NAMES, LOWER_BODIES,
+        BASE_PARAMETER_TERMS, BASE_PARAMETERS, BODY_NAMES, COORDINATE_NAMES, JOINTS, LOWER_BODIES,
         OPERATIONS, SPEED_NAMES,
     },
     rust,
 };
 
 /// What others tell of.
-const TOLD: [&str; 9] = [
+const TOLD: [&str; 10] = [
     BASE_PARAMETERS,
     BASE_PARAMETER_TERMS,
     BODY_NAMES,
     COORDINATE_NAMES,
+    JOINTS,
     LOWER_BODIES,
     OPERATIONS,
     PARAMETER_NAMES,
@@ -72,15 +73,16 @@ struct Part {
 
 fn arrays(file: &File) -> Vec<(String, Vec<Part>)> {
     let constants = file.items.iter().filter_map(|item| match item {
-        Item::Const(constant) => Some((constant.ident.to_string(), &*constant.expr)),
+        Item::Const(constant) => Some(constant.ident.to_string()),
         _ => None,
     });
     let is_told =
         |name: &str| TOLD.contains(&name) || ENDINGS.iter().any(|ending| name.ends_with(ending));
-    let arrays = constants.filter(|(name, _)| !is_told(name));
-    let arrays = arrays.map(|(name, list)| {
-        let parts = entries(list).into_iter().enumerate();
-        (name, parts.flat_map(parts_of).collect())
+    let arrays = constants.filter(|name| !is_told(name));
+    let arrays = arrays.map(|name| {
+        let parts = list(file, &name).into_iter().enumerate();
+        let parts = parts.flat_map(parts_of).collect();
+        (name, parts)
     });
     arrays.collect()
 }
@@ -105,5 +107,6 @@ fn parts_of((place, entry): (usize, &Expr)) -> Vec<Part> {
 /// An expression without most of the spaces between its tokens.
 fn shown(value: &Expr) -> String {
     let text = text(value).replace("- ", "-").replace(" ,", ",");
+    let text = text.replace(" :: ", "::").replace(" (", "(");
     text.replace("[ ", "[").replace(" ]", "]")
 }

@@ -1,30 +1,26 @@
 //! Joints whose axes point elsewhere: a coordinate's sign is another, and code that uses it goes on and is wrong.
 //!
-//! In: two outlines. Out: each such joint with its axis before and after. Bodies are the same as for `differences`.
+//! In: two outlines. Out: each such joint with its axis before and after. Bodies are the same as in their `Differences`.
 
 use super::{
-    differences::with_names_of,
+    differences::Differences,
     meaning::Meaning,
-    outline::{AXIS, Body, Outline},
+    outline::{AXIS, Outline},
 };
 use crate::geometry;
 
 /// Joints whose axes turned by more than a right angle, seen from both of their bodies: where one of these alone has other axes, no sign changes.
-pub fn turned(old: &Outline, new: &Outline) -> Vec<Meaning> {
-    let named = with_names_of(old, new);
-    let old = named.as_ref().unwrap_or(old);
-    let axes = |outline: &Outline, body: &Body| {
-        let place = outline
-            .bodies
-            .iter()
-            .position(|own| own.name == body.name)?;
+pub fn turned(old: &Outline, new: &Outline, differences: &Differences) -> Vec<Meaning> {
+    let axes = |outline: &Outline, body: &str| {
+        let place = outline.bodies.iter().position(|own| own.name == body)?;
         let axes = (*outline.axes.get(place)?)?;
         let values = &outline.bodies[place].values;
         Some((axes, values.get(AXIS)?.clone()))
     };
     let changed = new.bodies.iter().filter_map(|body| {
-        let (old_axes, old_text) = axes(old, body)?;
-        let (new_axes, new_text) = axes(new, body)?;
+        let old_name = differences.old_name(&body.name).unwrap_or(&body.name);
+        let (old_axes, old_text) = axes(old, old_name)?;
+        let (new_axes, new_text) = axes(new, &body.name)?;
         let mut pairs = old_axes.into_iter().zip(new_axes);
         let is_turned = pairs.all(|(old, new)| geometry::dot(old, new) < 0.0);
         let joint = body.values.get("joint_name").unwrap_or(&body.name);

@@ -103,6 +103,45 @@ fn arrays_of_modules_that_hold_something_else_are_named() {
 }
 
 #[test]
+fn arrays_of_one_number_are_compared_with_lists() {
+    let none = "FRICTION: [f64; NU] = [0.0; NU];";
+    let list = by_hand([none, "FRICTION: [f64; NU] = [0.0, 0.5, 0.0];"]);
+    let ran = list.kane(&["diff", "old.rs", "new.rs"]);
+    let said = "\nconstants\n  changed  FRICTION[1]  0.0 -> 0.5\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+    let ran = list.kane(&["diff", "new.rs", "old.rs"]);
+    let said = "\nconstants\n  changed  FRICTION[1]  0.5 -> 0.0\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+    let all = by_hand([none, "FRICTION: [f64; NU] = [0.5; NU];"]);
+    let ran = all.kane(&["diff", "old.rs", "new.rs"]);
+    let said = "\nconstants\n  changed  FRICTION[0] and 2 more  0.0 -> 0.5\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+}
+
+#[test]
+fn entries_of_arrays_are_told_as_people_write_them() {
+    let unlimited = "VELOCITY_LIMITS: [f64; NU] = [f64::INFINITY, 3.0, 4.0]";
+    let limits = by_hand(["VELOCITY_LIMITS: [f64; NU] = [3.0, 3.0, 4.0]", unlimited]);
+    let ran = limits.kane(&["diff", "old.rs", "new.rs"]);
+    let said = "VELOCITY_LIMITS[0]  3.0 -> f64::INFINITY\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+    let body = ["body: Some(2)", "body: Some(1)"];
+    let ran = by_hand(body).kane(&["diff", "old.rs", "new.rs"]);
+    let said = "  Some(2) -> Some(1)\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+}
+
+#[test]
+fn joints_are_told_once() {
+    let angle = "q: [None, Some(2), None, None, None, None, None]";
+    let length = "q: [None, None, None, None, Some(2), None, None]";
+    let ran = by_hand([angle, length]).kane(&["diff", "old.rs", "new.rs"]);
+    let said = "\nbodies and joints\n  changed  forearm: joint  theta2 -> s1\n";
+    assert!(ran.out.contains(said), "{}", ran.out);
+    assert!(!ran.out.contains("JOINTS"), "{}", ran.out);
+}
+
+#[test]
 fn module_that_was_edited_by_hand_is_known_as_such() {
     let note = "the model and all that is asked for are the same: edited by hand, or written by another version of kane\n";
     let ran =
@@ -111,8 +150,67 @@ fn module_that_was_edited_by_hand_is_known_as_such() {
     let ran = by_hand([", format ", ", format 1"]).kane(&["diff", "old.rs", "new.rs"]);
     assert!(
         ran.out.starts_with(
-            "bodies and joints are the same: written by other versions of kane, in formats "
+            "bodies and joints are the same: written by different versions of kane, formats "
         ),
+        "{}",
+        ran.out
+    );
+    let first = ran.out.lines().next().unwrap();
+    assert!(!first.contains("functions"), "{first}");
+}
+
+#[test]
+fn other_versions_of_kane_do_not_hide_that_functions_differ() {
+    let project = by_hand([", format ", ", format 1"]);
+    for file in ["old.rs", "new.rs"] {
+        let functions = if file == "old.rs" {
+            "bias"
+        } else {
+            "mass_matrix"
+        };
+        let robot = repository("models/arm.urdf");
+        let generate = [
+            "generate",
+            robot.to_str().unwrap(),
+            "--functions",
+            functions,
+        ];
+        let ran = project.kane(&[&generate[..], &["--output", file]].concat());
+        assert_eq!(ran.code, 0, "{ran:?}");
+    }
+    project.replace("new.rs", ", format ", ", format 1");
+    let ran = project.kane(&["diff", "old.rs", "new.rs"]);
+    let first = ran.out.lines().next().unwrap();
+    assert!(first.ends_with(", and functions differ"), "{first}");
+}
+
+#[test]
+fn other_layout_of_a_module_is_known_as_such() {
+    let spaces = by_hand(["pub const NB: usize", "pub  const  NB :usize"]);
+    let line_ends = by_hand(["\n", "\r\n"]);
+    let both = by_hand(["pub const NB: usize", "pub  const  NB :usize"]);
+    both.replace("new.rs", "\n", "\r\n");
+    for project in [spaces, line_ends, both] {
+        let ran = project.kane(&["diff", "old.rs", "new.rs"]);
+        let note = "only the layout differs: formatted by another tool\ngenerated text ";
+        assert!(ran.out.starts_with(note), "{}", ran.out);
+        assert!(
+            ran.out.ends_with("; only the layout changed\n"),
+            "{}",
+            ran.out
+        );
+    }
+}
+
+#[test]
+fn places_of_a_range_are_no_numbers_of_the_model() {
+    let weight = "R::from_f64(9.81)";
+    let project = by_hand([weight, "R::from_f64([9.81; 4][0..3][0])"]);
+    project.replace("old.rs", weight, "R::from_f64([9.81; 4][0..2][0])");
+    let ran = project.kane(&["diff", "old.rs", "new.rs"]);
+    assert_eq!(
+        (ran.code, ran.out.contains("only ")),
+        (1, false),
         "{}",
         ran.out
     );
@@ -182,4 +280,31 @@ fn warnings_are_told_of_systems_whose_modules_are_the_same() {
         "{}",
         ran.err
     );
+}
+
+#[test]
+fn warnings_about_a_model_are_told_once_for_all_of_its_systems() {
+    let project = Project::empty();
+    let text = std::fs::read_to_string(repository("models/arm.urdf")).unwrap();
+    project.write("arm.urdf", &text);
+    let systems = ["one.rs", "two.rs"].map(|module| system("arm.urdf", module));
+    project.write("kane.toml", &systems.concat());
+    let project = project.committed();
+    let damping = "damping=\"0.05\"";
+    project.replace("arm.urdf", damping, &format!("{damping} spring=\"1\""));
+    let warning = "unknown attribute `spring`";
+    let ran = project.kane(&["diff", "HEAD"]);
+    assert_eq!(ran.err.matches(warning).count(), 1, "{}", ran.err);
+    // Programs and pull requests are told too, though no module differs.
+    let ran = project.kane(&["diff", "HEAD", "--format", "json"]);
+    let told: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(told["same"], true);
+    let warnings = told["warnings"].as_array().unwrap();
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    assert_eq!(warnings[0]["model"], "arm.urdf");
+    let message = warnings[0]["message"].as_str().unwrap();
+    assert!(message.contains(warning), "{message}");
+    let ran = project.kane(&["diff", "HEAD", "--format", "markdown"]);
+    let row = "| warning | `arm.urdf` | `unknown attribute 'spring'";
+    assert_eq!(ran.out.matches(row).count(), 1, "{}", ran.out);
 }

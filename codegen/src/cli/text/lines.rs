@@ -54,6 +54,7 @@ impl ChangedLines {
             format!(", in {}: {names}", count(self.functions.len(), "function"))
         };
         let only = match self.only {
+            Some(Only::Layout) => "; only the layout changed",
             Some(Only::Comments) => "; only comments changed",
             Some(Only::Numbers) => "; only numbers changed",
             Some(Only::Names) => "; only names changed",

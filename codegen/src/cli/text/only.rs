@@ -5,6 +5,8 @@ use std::{collections::BTreeMap, iter};
 /// What alone differs between two texts.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Only {
+    /// Spaces, line ends, commas before closing brackets.
+    Layout,
     /// Comments that no item has.
     Comments,
     /// These, and numbers of the model.
@@ -15,12 +17,17 @@ pub(super) enum Only {
 
 impl Only {
     pub(super) fn of(old: &str, new: &str) -> Option<Self> {
+        let have_same_comments = comments(old).eq(comments(new));
         if code(old).eq(code(new)) {
-            return Some(Self::Comments);
+            return Some(if have_same_comments {
+                Self::Layout
+            } else {
+                Self::Comments
+            });
         }
         let (old, new) = (tokens(old), tokens(new));
         if old == new {
-            return None;
+            return have_same_comments.then_some(Self::Layout);
         }
         let [old_masked, new_masked] =
             [&old, &new].map(|tokens| tokens.iter().copied().map(Token::masked));
@@ -74,8 +81,16 @@ fn are_renamed(old: &[Token<'_>], new: &[Token<'_>]) -> bool {
 
 /// The lines without comments that no item has.
 fn code(text: &str) -> impl Iterator<Item = &str> {
-    let is_code = |line: &&str| !line.starts_with("//") || line.starts_with("///");
-    text.lines().filter(is_code)
+    text.lines().filter(|line| !is_comment(line))
+}
+
+/// The comments that no item has.
+fn comments(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().filter(|line| is_comment(line))
+}
+
+fn is_comment(line: &str) -> bool {
+    line.starts_with("//") && !line.starts_with("///")
 }
 
 /// The code without what only lays it out: spaces, line ends, commas before closing brackets.
@@ -109,6 +124,7 @@ fn first<'a>(text: &'a str, previous: Option<&Token<'_>>) -> (Token<'a>, &'a str
         let (token, rest) = text.split_at(sign + number(&text[sign..]));
         let token = match token {
             hash if hash.starts_with("0x") => Token::Hash(hash),
+            range if range.contains("..") => Token::Other(range),
             real if real.contains(['.', 'e', 'E']) => Token::Real(real),
             index => Token::Other(index),
         };

@@ -30,6 +30,8 @@ pub(super) struct Report {
     pub(super) warnings: Option<Diagnostics>,
     /// True where the texts say that they are made of the same in the same way, and differ.
     pub(super) is_edited: bool,
+    /// True where the texts are one text in two layouts.
+    pub(super) is_layout_alone: bool,
     /// The formats of the texts, where these differ.
     pub(super) formats: Option<[u32; 2]>,
     /// Options that the texts do not have alike, by their keys, but for functions, which are told one by one.
@@ -47,7 +49,8 @@ impl Report {
         let functions = report::compare(&old.text, &new.text).map_err(Failures::message)?;
         let redeclared = report::redeclared(&old.text, &new.text).map_err(Failures::message)?;
         let mut meanings = report::meanings(&old.text, &new.text).map_err(Failures::message)?;
-        meanings.extend(report::turned(&old.outline, &new.outline));
+        let differences = report::differences(&old.outline, &new.outline);
+        meanings.extend(report::turned(&old.outline, &new.outline, &differences));
         let texts = [old, new].map(|known| known.text.as_str());
         let base =
             report::base_parameters_changed(texts[0], texts[1]).map_err(Failures::message)?;
@@ -68,7 +71,7 @@ impl Report {
         Ok(Self {
             names: names.map(str::to_owned),
             fingerprints: [old, new].map(|known| known.outline.fingerprint),
-            differences: report::differences(&old.outline, &new.outline),
+            differences,
             functions,
             redeclared,
             meanings,
@@ -79,6 +82,7 @@ impl Report {
                 && !is_same
                 && moved(texts).is_none()
                 && origin::have_one_input(texts),
+            is_layout_alone: !are_models && !is_same && differ_in_layout_alone(texts),
             formats: formats(texts),
             options,
             moved: moved(texts),
@@ -95,6 +99,11 @@ impl Report {
     pub(super) fn is_same(&self) -> bool {
         self.differences == Differences::default() && self.diff.is_empty()
     }
+}
+
+fn differ_in_layout_alone(texts: [&str; 2]) -> bool {
+    let [old, new] = texts.map(|text| text.replace("\r\n", "\n"));
+    old == new || report::differs_in_layout_only(&old, &new)
 }
 
 fn formats(texts: [&str; 2]) -> Option<[u32; 2]> {

@@ -66,7 +66,13 @@ pub(super) fn markdown_of_systems(systems: &Systems) -> String {
     if systems.is_same() {
         text += "\nNothing differs.\n";
     }
-    text.extend(files(systems).iter().map(Section::table));
+    let mut sections = files(systems);
+    let warnings = systems.warnings().map(|[model, message]| {
+        let message = message.to_owned();
+        ["warning".to_owned(), model.to_owned(), message]
+    });
+    push(&mut sections, "new models", warnings.collect());
+    text.extend(sections.iter().map(Section::table));
     for report in &systems.changed {
         text.extend(["\n".to_owned(), markdown(report)]);
     }
@@ -151,6 +157,9 @@ fn code(text: &str) -> String {
 
 /// What two modules of one model have in common.
 fn note(report: &Report) -> Option<String> {
+    if report.is_layout_alone {
+        return Some("only the layout differs: formatted by another tool".to_owned());
+    }
     if report.is_edited {
         return Some("the model and all that is asked for are the same: edited by hand, or written by another version of kane".to_owned());
     }
@@ -166,7 +175,13 @@ fn note(report: &Report) -> Option<String> {
         }
         _ => match report.formats {
             Some([old, new]) => {
-                format!("written by other versions of kane, in formats {old} and {new}")
+                let (added, removed) = (&report.functions.added, &report.functions.removed);
+                let others = if added.is_empty() && removed.is_empty() {
+                    ""
+                } else {
+                    ", and functions differ"
+                };
+                format!("written by different versions of kane, formats {old} and {new}{others}")
             }
             None => "frames, functions or the generator differ".to_owned(),
         },
@@ -232,17 +247,14 @@ fn layout(change: &LayoutChange) -> Section {
     let added = added.map(|(name, place)| row("added", name, place.to_string()));
     let removed = change.removed.iter();
     let removed = removed.map(|(name, place)| row("removed", name, place.to_string()));
-    let moved = runs(&change.moved).map(|run| match run {
-        [(name, [old, new])] => row("moved", name, format!("{old} -> {new}")),
-        [(first, from), .., (last, to)] => {
-            let [old, new] = [0, 1].map(|side| format!("{}..={}", from[side], to[side]));
-            row(
-                "moved",
-                &format!("{first} .. {last}"),
-                format!("{old} -> {new}"),
-            )
+    let moved = runs(&change.moved).filter_map(|run| {
+        let ((first, from), (last, to)) = (run.first()?, run.last()?);
+        if run.len() == 1 {
+            return Some(row("moved", first, format!("{} -> {}", from[0], from[1])));
         }
-        [] => row("", &String::new(), String::new()),
+        let name = format!("{first} .. {last}");
+        let [old, new] = [0, 1].map(|side| format!("{}..={}", from[side], to[side]));
+        Some(row("moved", &name, format!("{old} -> {new}")))
     });
     let renamed = change.renamed.iter();
     let renamed = renamed.map(|([old, new], place)| {

@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use kane_codegen::diagnostic::{Diagnostics, Escaped, Source};
+use kane_codegen::diagnostic::{Diagnostic, Diagnostics, Escaped, Severity, Source};
 
 use super::{report::Report, side::Side};
 use crate::cli::{
@@ -28,6 +28,26 @@ pub(super) struct Systems {
     pub(super) removed: Vec<String>,
     /// What should be known about new models alone, also of those whose modules are the same.
     pub(super) warnings: Vec<Diagnostics>,
+}
+
+/// What was told of models, so that it is not told again of other systems of these.
+#[derive(Default)]
+struct Told {
+    /// The source's name and the message.
+    all: BTreeSet<[String; 2]>,
+}
+
+impl Told {
+    /// What is not told yet.
+    fn news(&mut self, warnings: &Diagnostics) -> Option<Diagnostics> {
+        let source = warnings.source();
+        let key = |one: &Diagnostic| [source.name().to_owned(), one.message.clone()];
+        let news = warnings.list().iter();
+        let news = news.filter(|one| !self.all.contains(&key(one)));
+        let news: Vec<Diagnostic> = news.cloned().collect();
+        self.all.extend(news.iter().map(key));
+        (!news.is_empty()).then(|| Diagnostics::new(source.clone(), news))
+    }
 }
 
 /// A state of the repository's files.
@@ -125,12 +145,13 @@ impl Systems {
             let own = own.filter(|file| !others.contains(file));
             own.map(|file| file.display().to_string()).collect()
         };
-        let (mut changed, mut warnings) = (Vec::new(), Vec::new());
+        let (mut changed, mut warnings, mut told) = (Vec::new(), Vec::new(), Told::default());
         for job in &new {
             if let Some(place) = of(&old, job) {
                 let report = report(snapshots, [&old[place], job]);
                 let report = failures.keep(report);
-                warnings.extend(report.iter().filter_map(|report| report.warnings.clone()));
+                let own = report.iter().filter_map(|report| report.warnings.as_ref());
+                warnings.extend(own.filter_map(|own| told.news(own)));
                 changed.extend(report.filter(|report| !report.is_same()));
             }
         }
@@ -146,6 +167,15 @@ impl Systems {
 
     pub(super) fn is_same(&self) -> bool {
         self.changed.is_empty() && self.added.is_empty() && self.removed.is_empty()
+    }
+
+    /// Each model with what is probably wrong in it.
+    pub(super) fn warnings(&self) -> impl Iterator<Item = [&str; 2]> {
+        self.warnings.iter().flat_map(|of_model| {
+            let all = of_model.list().iter();
+            let warnings = all.filter(|one| one.severity != Severity::Note);
+            warnings.map(|one| [of_model.source().name(), one.message.as_str()])
+        })
     }
 
     /// True where a file went, or code that uses one must change.

@@ -18,6 +18,7 @@ pub(super) fn of_systems(systems: &Systems) -> Value {
         "added": systems.added,
         "removed": systems.removed,
         "systems": systems.changed.iter().map(of_report).collect::<Value>(),
+        "warnings": systems.warnings().map(warning).collect::<Value>(),
     })
 }
 
@@ -52,6 +53,11 @@ pub(super) fn of_report(report: &Report) -> Value {
         "warnings": warnings(report),
         "diff": report.diff,
     })
+}
+
+/// A warning about a model, of those of all systems.
+fn warning([model, message]: [&str; 2]) -> Value {
+    json!({ "model": model, "message": message })
 }
 
 fn warnings(report: &Report) -> Vec<&str> {
