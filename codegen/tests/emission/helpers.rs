@@ -22,7 +22,8 @@ fn module(text: &str, function: &str) -> String {
         ..Options::default()
     };
     let source = Source::new("solo12.urdf", text);
-    generate(&source, "solo12.urdf", &options).unwrap().source
+    let generated = generate(&source, "solo12.urdf", &options);
+    generated.expect("a right model").source
 }
 
 #[test]
