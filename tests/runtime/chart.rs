@@ -1,7 +1,7 @@
 //! Conversion between charts, against products of rotations about the axes and against finite differences.
 
 use kane::chart::{ConvertError, Turning, convert};
-use kane::{Chart, Joint, Load, System};
+use kane::{Chart, Joint, System};
 use kane_test_support::{
     compare::{Tolerance, assert_close},
     random::Random,
@@ -142,13 +142,7 @@ macro_rules! of_one_joint {
         struct $name;
 
         impl System<f64> for $name {
-            type Q = [f64; $n_q];
-            type U = [f64; $n_u];
-            type Matrix = [[f64; $n_u]; $n_u];
-            type Loads = [Load<f64>; 1];
-            type Scalars = [f64; 1];
-            type Vectors = [[f64; 3]; 1];
-            type Rotations = [[[f64; 3]; 3]; 1];
+            crate::common::arrays!(f64; $n_q, $n_u, 1);
 
             const NAME: &'static str = stringify!($name);
             const BODY_NAMES: &'static [&'static str] = &["body"];

@@ -6,19 +6,15 @@ use kane::integrate::rk4_step;
 use kane::{Chart, Cost, Frame, Joint, Load, System};
 use kane_test_support::compare::{Tolerance, assert_close, assert_within};
 
+use crate::common::arrays;
+
 const ROUNDED: Tolerance = Tolerance::absolute(1e-15);
 
 /// A ball on a quaternion, with a value in every constant. It can neither be copied nor printed.
 struct Ball;
 
 impl System<f64> for Ball {
-    type Q = [f64; 4];
-    type U = [f64; 3];
-    type Matrix = [[f64; 3]; 3];
-    type Loads = [Load<f64>; 1];
-    type Scalars = [f64; 1];
-    type Vectors = [[f64; 3]; 1];
-    type Rotations = [[[f64; 3]; 3]; 1];
+    arrays!(f64; 4, 3, 1);
 
     const NAME: &'static str = "ball";
     const BODY_NAMES: &'static [&'static str] = &["body"];

@@ -2,10 +2,10 @@
 
 use kane::functions::{Jacobian, Pose};
 use kane::inverse_kinematics::{Goal, InverseKinematics, Limits, Step};
-use kane::{Chart, Joint, Load, Real, System};
+use kane::{Chart, Joint, Real, System};
 use kane_test_support::compare::{Tolerance, assert_close, assert_within, distance};
 
-use crate::common::{Turning, one_coordinate};
+use crate::common::{Turning, arrays, one_coordinate};
 
 const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
@@ -16,13 +16,7 @@ struct Gantry;
 struct Tool;
 
 impl System<f64> for Gantry {
-    type Q = [f64; 3];
-    type U = [f64; 3];
-    type Matrix = [[f64; 3]; 3];
-    type Loads = [Load<f64>; 1];
-    type Scalars = [f64; 1];
-    type Vectors = [[f64; 3]; 1];
-    type Rotations = [[[f64; 3]; 3]; 1];
+    arrays!(f64; 3, 3, 1);
 
     const NAME: &'static str = "gantry";
     const BODY_NAMES: &'static [&'static str] = &["tool"];
@@ -207,13 +201,7 @@ fn negative_weights_count_as_zero_and_nan_reaches_nothing() {
 struct Telescope;
 
 impl System<f64> for Telescope {
-    type Q = [f64; 2];
-    type U = [f64; 2];
-    type Matrix = [[f64; 2]; 2];
-    type Loads = [Load<f64>; 2];
-    type Scalars = [f64; 2];
-    type Vectors = [[f64; 3]; 2];
-    type Rotations = [[[f64; 3]; 3]; 2];
+    arrays!(f64; 2, 2, 2);
 
     const NAME: &'static str = "telescope";
     const BODY_NAMES: &'static [&'static str] = &["tube", "tool"];

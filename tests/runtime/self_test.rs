@@ -5,7 +5,7 @@ use kane::self_test::{
     mass_matrix_is_positive_definite, power_is_the_rate_of_energy, weight,
 };
 
-use crate::common::{CartPole, Faulty, Wrong};
+use crate::common::{CartPole, Faulty, Wrong, arrays};
 
 mod tolerances;
 
@@ -117,13 +117,7 @@ fn a_pivot_that_is_not_positive_is_told_as_one() {
 struct Chosen([[f64; 3]; 3]);
 
 impl kane::System<f64> for Chosen {
-    type Q = [f64; 3];
-    type U = [f64; 3];
-    type Matrix = [[f64; 3]; 3];
-    type Loads = [kane::Load<f64>; 1];
-    type Scalars = [f64; 1];
-    type Vectors = [[f64; 3]; 1];
-    type Rotations = [[[f64; 3]; 3]; 1];
+    arrays!(f64; 3, 3, 1);
 
     const NAME: &'static str = "chosen";
     const BODY_NAMES: &'static [&'static str] = &["body"];

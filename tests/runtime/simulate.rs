@@ -8,10 +8,10 @@
 
 use std::cell::Cell;
 
-use crate::common::{CartPole, Oscillator, Pendulum, Turning};
+use crate::common::{CartPole, Oscillator, Pendulum, Turning, arrays};
 use kane::functions::{ForwardDynamics, KineticEnergy, PotentialEnergy};
 use kane::simulate::{Sample, SimulateError, Tolerance, simulate};
-use kane::{Load, Real, System};
+use kane::{Real, System};
 use kane_test_support::compare::{assert_within, largest};
 
 fn tolerance(relative: f64) -> Tolerance {
@@ -240,13 +240,7 @@ fn times_too_close_for_the_integrator_after_a_long_step_have_their_own_states() 
 struct Fixed;
 
 impl System<f64> for Fixed {
-    type Q = [f64; 0];
-    type U = [f64; 0];
-    type Matrix = [[f64; 0]; 0];
-    type Loads = [Load<f64>; 0];
-    type Scalars = [f64; 0];
-    type Vectors = [[f64; 3]; 0];
-    type Rotations = [[[f64; 3]; 3]; 0];
+    arrays!(f64; 0, 0, 0);
 
     const NAME: &'static str = "fixed";
     const BODY_NAMES: &'static [&'static str] = &[];

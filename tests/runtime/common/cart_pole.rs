@@ -2,7 +2,9 @@ use kane::functions::{
     Bias, ForwardDynamics, ForwardDynamicsPivots, KineticEnergy, MassMatrix, PotentialEnergy,
     Singularity,
 };
-use kane::{Load, Real, System};
+use kane::{Real, System};
+
+use super::arrays;
 
 /// A cart of 1 kg that slides along x, and a point of `mass` (kg) on a massless rod of 1 m hinged to it,
 /// `theta` (rad) from hanging.
@@ -12,13 +14,7 @@ pub(crate) struct CartPole<R> {
 }
 
 impl<R: Real> System<R> for CartPole<R> {
-    type Q = [R; 2];
-    type U = [R; 2];
-    type Matrix = [[R; 2]; 2];
-    type Loads = [Load<R>; 2];
-    type Scalars = [R; 2];
-    type Vectors = [[R; 3]; 2];
-    type Rotations = [[[R; 3]; 3]; 2];
+    arrays!(R; 2, 2, 2);
 
     const NAME: &'static str = "cart_pole";
     const BODY_NAMES: &'static [&'static str] = &["cart", "pole"];

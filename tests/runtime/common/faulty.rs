@@ -1,9 +1,9 @@
+use kane::System;
 use kane::functions::{
     Bias, ForwardDynamics, InverseDynamics, KineticEnergy, MassMatrix, PotentialEnergy,
 };
-use kane::{Load, System};
 
-use super::CartPole;
+use super::{CartPole, arrays};
 
 /// A cart and a pole of which one term may be wrong.
 #[derive(Clone, Copy)]
@@ -48,13 +48,7 @@ impl Faulty {
 }
 
 impl System<f64> for Faulty {
-    type Q = [f64; 2];
-    type U = [f64; 2];
-    type Matrix = [[f64; 2]; 2];
-    type Loads = [Load<f64>; 2];
-    type Scalars = [f64; 2];
-    type Vectors = [[f64; 3]; 2];
-    type Rotations = [[[f64; 3]; 3]; 2];
+    arrays!(f64; 2, 2, 2);
 
     const NAME: &'static str = "faulty";
     const BODY_NAMES: &'static [&'static str] = CartPole::<f64>::BODY_NAMES;

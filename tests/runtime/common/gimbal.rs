@@ -1,5 +1,7 @@
 use kane::functions::{ForwardDynamics, ForwardDynamicsPivots, Singularity};
-use kane::{Load, Real, System};
+use kane::{Real, System};
+
+use super::arrays;
 
 /// A frame that slides, and on it a rotor with three free angles and a mass matrix that a test may choose:
 /// for the checks, not for its motion.
@@ -8,13 +10,7 @@ pub(crate) struct Gimbal<R> {
 }
 
 impl<R: Real> System<R> for Gimbal<R> {
-    type Q = [R; 4];
-    type U = [R; 4];
-    type Matrix = [[R; 4]; 4];
-    type Loads = [Load<R>; 2];
-    type Scalars = [R; 2];
-    type Vectors = [[R; 3]; 2];
-    type Rotations = [[[R; 3]; 3]; 2];
+    arrays!(R; 4, 4, 2);
 
     const NAME: &'static str = "gimbal";
     const BODY_NAMES: &'static [&'static str] = &["frame", "rotor"];

@@ -1,5 +1,6 @@
 //! Systems small enough to write by hand.
 
+mod arrays;
 mod cart_pole;
 mod faulty;
 mod gimbal;
@@ -8,6 +9,7 @@ mod oscillator;
 mod pendulum;
 mod turning;
 
+pub(crate) use arrays::arrays;
 pub(crate) use cart_pole::CartPole;
 pub(crate) use faulty::{Faulty, Wrong};
 pub(crate) use gimbal::Gimbal;

@@ -1,16 +1,12 @@
-use kane::{Chart, Joint, Load, Real, System};
+use kane::{Chart, Joint, Real, System};
+
+use super::arrays;
 
 /// Three joints without masses: a free one with a quaternion, a spherical one with angles and angular velocities, a hinge.
 pub(crate) struct Turning;
 
 impl<R: Real> System<R> for Turning {
-    type Q = [R; 11];
-    type U = [R; 10];
-    type Matrix = [[R; 10]; 10];
-    type Loads = [Load<R>; 3];
-    type Scalars = [R; 3];
-    type Vectors = [[R; 3]; 3];
-    type Rotations = [[[R; 3]; 3]; 3];
+    arrays!(R; 11, 10, 3);
 
     const NAME: &'static str = "turning";
     const BODY_NAMES: &'static [&'static str] = &["hinged", "floating", "ball"];
