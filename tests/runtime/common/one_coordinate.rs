@@ -12,7 +12,13 @@ macro_rules! one_coordinate {
         $name:literal, body $body:literal, coordinate $coordinate:literal
     ) => {
         impl<$($generic)*> kane::System<$scalar> for $system {
-            $crate::common::arrays!($scalar; 1, 1, 1);
+            type Q = [$scalar; 1];
+            type U = [$scalar; 1];
+            type Matrix = [[$scalar; 1]; 1];
+            type Loads = [kane::Load<$scalar>; 1];
+            type Scalars = [$scalar; 1];
+            type Vectors = [[$scalar; 3]; 1];
+            type Rotations = [[[$scalar; 3]; 3]; 1];
 
             const NAME: &'static str = $name;
             const BODY_NAMES: &'static [&'static str] = &[$body];
