@@ -120,6 +120,8 @@ fn all_ways_give_the_same_derivatives() {
             "d(acceleration(turned, local))/d(u_dot)",
             "acceleration(\"marker one\")+d(acceleration(\"marker one\"))/d(q, u, u_dot)",
             "d(acceleration(turned, local))/d(q, u, u_dot)",
+            "imu(turned)+d(imu(turned))/d(q, u, u_dot)",
+            "d(imu(\"marker one\"))/d(u_dot, q)",
             "d(jacobian_dot_u(turned))/d(u, q)",
             "d(jacobian_dot_u(\"marker one\", local))/d(q)",
             "d(position(turned))/d(q)",

@@ -39,7 +39,7 @@ const OF_FRAMES: [&str; 23] = [
     "pose(F)+jacobian(F)",
 ];
 
-const DERIVATIVES_OF_FRAMES: [&str; 9] = [
+const DERIVATIVES_OF_FRAMES: [&str; 11] = [
     "d(pose(F))/d(q)",
     "d(position(F))/d(q)",
     "d(jacobian(F))/d(q)",
@@ -48,7 +48,9 @@ const DERIVATIVES_OF_FRAMES: [&str; 9] = [
     "d(velocity(F, local))/d(q, u)",
     "d(acceleration(F))/d(q, u, u_dot)",
     "d(linear_acceleration(F))/d(q, u, u_dot)",
+    "d(acceleration(F, local))/d(q, u, u_dot)",
     "d(jacobian_dot_u(F))/d(q, u)",
+    "d(imu(F))/d(q, u, u_dot)",
 ];
 
 /// The counts of functions of a frame of each robot.

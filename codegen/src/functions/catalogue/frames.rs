@@ -273,6 +273,10 @@ pub(super) const IMU: Function = Function {
         "What an inertial measurement unit at the frame {frame} reads: the acceleration of its origin less gravity, {specific_force}, and its angular velocity, {angular_velocity};",
         "components along the frame's own axes. At rest the specific force points up. Also known as accelerometer and gyroscope.",
     ],
+    derivatives: Some(DerivativesFn::OfFrames(
+        roots::derivatives::frames::imu::imu,
+    )),
+    derivatives_like: Some(&JACOBIAN),
     derivation: Derivation::OfFrames(roots::frames::imu),
     ..PLAIN
 };

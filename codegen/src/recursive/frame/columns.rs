@@ -84,6 +84,24 @@ pub(super) fn local(
     own.columns.take()
 }
 
+/// An inertial vector along the frame's axes.
+pub(super) fn along_frame(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    links: &BodyMap<Link>,
+    frame: NamedFrame,
+    inertial: Vector,
+) -> Vector {
+    let mut carried = Direction(inertial);
+    for body in path(tree, frame).into_iter().rev() {
+        graph.enter(body);
+        links[body].passage.outward(graph, &mut carried);
+        graph.name_vector(carried.0, "up");
+    }
+    let reach = Reach::of(graph, tree, links, frame);
+    graph.mul_vector(&reach.axes, carried.0)
+}
+
 /// What each motion contributes, of those that have been met.
 #[derive(Debug, Default)]
 struct Columns {
@@ -243,4 +261,17 @@ impl Passenger for ColumnsOutward {
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
         self.columns.along(graph, motions);
     }
+}
+
+/// A vector that stays as it is, along the axes that have been reached outward.
+struct Direction(Vector);
+
+impl Passenger for Direction {
+    fn shift(&mut self, _: &mut ExprGraph, _: BodyId, _: Vector) {}
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, _: Drive) {
+        self.0 = rotation.forward(graph, self.0);
+    }
+
+    fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {}
 }

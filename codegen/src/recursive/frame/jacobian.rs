@@ -47,6 +47,23 @@ pub fn local_jacobian(
     of_speeds(graph, columns)
 }
 
+/// An inertial vector along the frame's own axes, with what its Jacobian along them needs too.
+pub fn along_frame(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    frame: NamedFrame,
+    inertial: Vector,
+) -> Vector {
+    let links = link::massless(graph, tree, plan);
+    graph.begin(Purpose::Frame);
+    if plan.uses(Technique::Inward) {
+        columns::along_frame(graph, tree, &links, frame, inertial)
+    } else {
+        own::along_frame(graph, tree, &links, frame, inertial)
+    }
+}
+
 /// What a unit value of each motion's speed contributes.
 fn of_speeds(graph: &mut ExprGraph, columns: Contributions) -> Vec<(SpeedId, FrameMotion)> {
     let columns = columns.into_iter();

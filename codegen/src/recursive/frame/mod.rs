@@ -15,6 +15,6 @@ mod reach;
 mod steps;
 
 pub use force::{generalized_force, local_generalized_force};
-pub use jacobian::{jacobian, local_jacobian};
+pub use jacobian::{along_frame, jacobian, local_jacobian};
 pub use motion::{acceleration, imu, local_acceleration, local_velocity, velocity};
 pub use pose::pose;

@@ -19,8 +19,30 @@ pub(super) fn jacobian(
     graph: &mut ExprGraph,
     tree: &Tree,
     links: &BodyMap<Link>,
-    (frame, point): (NamedFrame, Option<Vector>),
+    of: (NamedFrame, Option<Vector>),
 ) -> Contributions {
+    inertial_axes(graph, tree, links, of).columns
+}
+
+/// An inertial vector along the frame's axes.
+pub(super) fn along_frame(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    links: &BodyMap<Link>,
+    frame: NamedFrame,
+    inertial: Vector,
+) -> Vector {
+    let seen = inertial_axes(graph, tree, links, (frame, None));
+    graph.mul_vector(&seen.basis, inertial)
+}
+
+/// What is seen where the way inward ends.
+fn inertial_axes(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    links: &BodyMap<Link>,
+    (frame, point): (NamedFrame, Option<Vector>),
+) -> Seen {
     let Reach { axes, position } = Reach::of(graph, tree, links, frame);
     let to_origin = graph.mul_vector(&axes, position);
     let mut seen = Seen {
@@ -37,7 +59,7 @@ pub(super) fn jacobian(
         graph.name_matrix(&seen.basis, "seen");
         graph.name_vector(seen.lever, "lever");
     }
-    seen.columns
+    seen
 }
 
 /// A link as the frame sees it.

@@ -2,7 +2,7 @@
 //!
 //! Motions from one on give the frame `V`, `W`, `a`, `α` as they are seen from before it, those before it `W'` and `α'`. The motion, with the column
 //! `v`, `w`, carries the former as a whole and moves the frame: by its coordinate the acceleration changes by
-//! `α' × v + W' × (W' × v + 2 w × V) + w × a` and `w × α + W' × (w × W)`.
+//! `α' × v + W' × (W' × v + 2 w × V) + w × a` and `w × α + W' × (w × W)`. Along the frame's own axes it changes by `w ×` the whole less.
 
 use super::{
     columns::{by_rows, of_rows},
@@ -59,7 +59,8 @@ fn derived(
         (values, by_q, by_u)
     } else {
         let columns = of_rows(&by_u_dot, tree.n_speeds);
-        by_motions(graph, tree, subject, &columns, accelerations)
+        let still = graph.zero_vector();
+        by_motions(graph, tree, subject, &columns, (accelerations, still))
     };
     let mut by = vec![(Argument::Q, by_q), (Argument::U, by_u)];
     if accelerations == Accelerations::Given {
@@ -72,30 +73,38 @@ fn derived(
     }
 }
 
-/// The acceleration, and by coordinates and by speeds, with the columns of the Jacobian.
-fn by_motions(
+/// The acceleration, and by coordinates and by speeds, with the columns of the Jacobian. The inertial frame's own is along the frame's
+/// axes where these are meant, and else zero.
+pub(super) fn by_motions(
     graph: &mut ExprGraph,
     tree: &Tree,
     subject: &Subject,
     columns: &[Twist],
-    accelerations: Accelerations<'_>,
+    (accelerations, base): (Accelerations<'_>, Vector),
 ) -> (Vec<Expr>, SpeedMatrix, SpeedMatrix) {
+    let is_local = subject.view == View::Local;
     let moving = Moving::new(graph, tree, subject, columns, accelerations);
-    let whole = moving.after[0].acceleration;
+    let mut whole = moving.after[0].acceleration;
+    whole[0] = graph.add_vectors(whole[0], base);
+    if let (true, Some(all)) = (is_local, moving.before.last()) {
+        whole[1] = all.acceleration[1];
+    }
     let none = vec![vec![graph.zero(); tree.n_speeds]; 6];
     let (mut by_q, mut by_u) = (none.clone(), none);
     for (place, group) in moving.groups.iter().enumerate() {
         let (before, after) = (&moving.before[place], &moving.after[place]);
         for &speed in &group.speeds {
             let own = columns[speed.index()];
-            let mut carried = by_coordinate(graph, own, before, after);
-            if subject.view == View::Local {
-                // The frame's axes turn too.
-                carried = [0, 1].map(|part| {
-                    let turned = graph.cross(own[1], whole[part]);
-                    graph.sub_vectors(carried[part], turned)
-                });
-            }
+            let carried = if is_local {
+                // The frame's axes turn with the motion.
+                let given_before = graph.sub_vectors(after.acceleration[0], whole[0]);
+                let linear = linear_by_coordinate(graph, own, before, (after, given_before));
+                [linear, turning_seen(graph, own[1], before, after)]
+            } else {
+                let given = after.acceleration[0];
+                let linear = linear_by_coordinate(graph, own, before, (after, given));
+                [linear, turning(graph, own[1], before, after)]
+            };
             put(&mut by_q, speed.index(), carried);
             let velocity = if group.speeds.len() == 1 {
                 by_speed_alone(graph, own, before, after)
@@ -109,26 +118,41 @@ fn by_motions(
     (whole.concat(), by_q, by_u)
 }
 
-fn by_coordinate(graph: &mut ExprGraph, [v, w]: Twist, before: &Moved, after: &Moved) -> Twist {
+/// `turned`: what the motion turns of the origin's acceleration.
+fn linear_by_coordinate(
+    graph: &mut ExprGraph,
+    [v, w]: Twist,
+    before: &Moved,
+    (after, turned): (&Moved, Vector),
+) -> Vector {
     let (turning, alpha) = (before.velocity[1], before.acceleration[1]);
     let moved = graph.cross(turning, v);
-    let carried = after.velocity.map(|part| graph.cross(w, part));
-    let twice = graph.doubled(carried[0]);
-    let relative = graph.add_vectors(moved, twice);
+    let carried = graph.cross(w, after.velocity[0]);
+    let sum = graph.add_vectors(moved, carried);
+    let relative = graph.add_vectors(sum, carried);
     let terms = [
         graph.cross(alpha, v),
         graph.cross(turning, relative),
-        graph.cross(w, after.acceleration[0]),
+        graph.cross(w, turned),
     ];
     let linear = graph.add_vectors(terms[0], terms[1]);
-    let [turned, axes] = [
-        graph.cross(w, after.acceleration[1]),
-        graph.cross(turning, carried[1]),
-    ];
-    [
-        graph.add_vectors(linear, terms[2]),
-        graph.add_vectors(turned, axes),
-    ]
+    graph.add_vectors(linear, terms[2])
+}
+
+/// `w × α + W' × (w × W)`.
+fn turning(graph: &mut ExprGraph, w: Vector, before: &Moved, after: &Moved) -> Vector {
+    let turned = graph.cross(w, after.acceleration[1]);
+    let carried = graph.cross(w, after.velocity[1]);
+    let axes = graph.cross(before.velocity[1], carried);
+    graph.add_vectors(turned, axes)
+}
+
+/// The same less `w × (α' + α + W' × W)`, the whole: `α' × w + (W' × w) × W`.
+fn turning_seen(graph: &mut ExprGraph, w: Vector, before: &Moved, after: &Moved) -> Vector {
+    let turned = graph.cross(before.acceleration[1], w);
+    let carried = graph.cross(before.velocity[1], w);
+    let axes = graph.cross(carried, after.velocity[1]);
+    graph.add_vectors(turned, axes)
 }
 
 /// By the speed of a motion that no other one carries along: twice what a change of its coordinate makes of the velocity's linear part.
@@ -160,6 +184,6 @@ fn by_speed(
 
 /// How an axis turns with motions before it, and turns those after it.
 fn between(graph: &mut ExprGraph, w: Vector, before: &Moved, after: &Moved) -> Vector {
-    let difference = graph.sub_vectors(before.velocity[1], after.velocity[1]);
-    graph.cross(difference, w)
+    let [carried, carrying] = [before, after].map(|own| graph.cross(own.velocity[1], w));
+    graph.sub_vectors(carried, carrying)
 }

@@ -5,6 +5,7 @@
 
 pub(in crate::functions) mod acceleration;
 pub(in crate::functions) mod columns;
+pub(in crate::functions) mod imu;
 pub(in crate::functions) mod linear;
 mod moving;
 pub(in crate::functions) mod pose;

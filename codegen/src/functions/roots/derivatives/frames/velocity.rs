@@ -45,7 +45,7 @@ pub(in crate::functions) fn velocity(
 }
 
 /// The velocity, and by coordinates, with the columns of the Jacobian.
-fn by_motions(
+pub(super) fn by_motions(
     graph: &mut ExprGraph,
     tree: &Tree,
     subject: &Subject,
