@@ -2,7 +2,7 @@
 //!
 //! In: limits, and functions with their operations. Out: what goes beyond its limit. Does not: decide what follows from that.
 
-use crate::program::Operations;
+use crate::{choices::name_of, program::Operations};
 
 /// A limit of one function's operations.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,8 +53,7 @@ impl OperationKind {
 
     /// Its name in `kane.toml`.
     pub fn name(self) -> &'static str {
-        let found = Self::ALL.iter().find(|(_, kind)| *kind == self);
-        found.expect("budget: every kind has a name").0
+        name_of(&self, &Self::ALL)
     }
 }
 

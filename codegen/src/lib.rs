@@ -46,7 +46,9 @@
 
 // Each module imports only from those that stand before it.
 
-// Indexes that cannot be mixed up, vectors and rotations as numbers, numbers with their rounding, how large things may be.
+// Names of choices, indexes that cannot be mixed up, vectors and rotations as numbers, numbers with their rounding, how large things
+// may be.
+pub mod choices;
 pub mod geometry;
 pub mod id;
 pub mod limits;

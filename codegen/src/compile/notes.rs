@@ -42,18 +42,20 @@ pub(super) fn instead_of(
         return None;
     }
     let notes = at_most(plans, request, most(request, before))?;
-    are_cheaper(plans, request, &notes.derived, recursive).then_some(notes)
+    let both = [&notes.derived, recursive];
+    let written = || both.map(|derived| emitted(plans.tree, request, derived, plans.without));
+    are_cheaper(request, both, written).then_some(notes)
 }
 
-/// True where [`instead_of`] gives the notes, beside this recursion.
+/// True where [`instead_of`] gives the notes, beside this recursion. `written` are the operations of both as they are [`emitted`].
 pub(crate) fn cost_no_more(
-    plans: &Plans<'_>,
+    tree: &Tree,
     request: &Request,
-    notes: &Derived,
-    recursive: &Derived,
+    [notes, recursive]: [&Derived; 2],
+    written: [Operations; 2],
 ) -> bool {
-    have_a_chance(plans.tree, request, operations(recursive))
-        && are_cheaper(plans, request, notes, recursive)
+    have_a_chance(tree, request, operations(recursive))
+        && are_cheaper(request, [notes, recursive], || written)
 }
 
 /// What the notes may cost as they are derived, beside a recursion that needs these operations.
@@ -67,17 +69,18 @@ fn most(request: &Request, recursive: Operations) -> usize {
 }
 
 /// True where the notes cost no more: as they are written, if they are short.
-fn are_cheaper(plans: &Plans<'_>, request: &Request, notes: &Derived, recursive: &Derived) -> bool {
-    let [of_notes, of_recursion] = [notes, recursive].map(operations);
+fn are_cheaper(
+    request: &Request,
+    both: [&Derived; 2],
+    written: impl FnOnce() -> [Operations; 2],
+) -> bool {
+    let [of_notes, of_recursion] = both.map(operations);
     let cost_no_more_as_derived = cost(request, of_notes) <= cost(request, of_recursion);
     if of_recursion.total() > MOST_WRITTEN || cost(request, of_notes) > most(request, of_recursion)
     {
         return cost_no_more_as_derived;
     }
-    let [of_notes, of_recursion] = [notes, recursive].map(|derived| {
-        let operations = emitted(plans.tree, request, derived, plans.without);
-        cost(request, operations)
-    });
+    let [of_notes, of_recursion] = written().map(|operations| cost(request, operations));
     // What happens to be the same as something else, such as two numbers, makes no formulation a better one.
     of_notes < of_recursion || of_notes == of_recursion && cost_no_more_as_derived
 }

@@ -46,10 +46,9 @@ fn generated(
         return Err(faults);
     }
     let request = Parsed::read(&name.value).expect("config: a request without fault");
-    // Every module has it.
-    let is_always = name.value == "q_dot";
+    let function = request.catalogue_function();
+    let is_always = function.is_some_and(|function| function.is_always_generated(false));
     let is_asked_for = |functions: &Functions| {
-        let function = request.catalogue_function();
         let mut joined = functions.requests().into_iter();
         function.is_some_and(|function| functions.names(function))
             || joined.any(|one| one.place() == request.place())

@@ -41,9 +41,6 @@ impl Prescribed {
             PrescribedFault::Twice { first, .. } => entry(first),
             _ => None,
         };
-        Some(match first {
-            Some(first) => shown.at(first.span, "the first one"),
-            None => shown,
-        })
+        Some(shown.at_if(first.map(|first| first.span), "the first one"))
     }
 }

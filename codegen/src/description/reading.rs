@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::io;
 
-use crate::description::joint::Chart;
+use crate::{choices::name_of, description::joint::Chart};
 
 /// What a URDF or MJCF leaves to the user.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -49,9 +49,7 @@ impl LeftOut {
 
     /// The name by which the user asks for it.
     pub fn name(self) -> &'static str {
-        let mut named = Self::NAMED.into_iter();
-        let found = named.find(|(_, own)| *own == self);
-        found.expect("reading: what can be left out has a name").0
+        name_of(&self, &Self::NAMED)
     }
 }
 

@@ -89,6 +89,15 @@ impl Diagnostic {
         self
     }
 
+    /// The same with one more place where there is one.
+    #[must_use]
+    pub fn at_if(self, span: Option<Span>, label: impl Into<String>) -> Self {
+        match span {
+            Some(span) => self.at(span, label),
+            None => self,
+        }
+    }
+
     /// The same about a name that was given beside the source.
     #[must_use]
     pub fn of_entry(mut self, list: &'static str, name: impl Into<String>) -> Self {

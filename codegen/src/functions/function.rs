@@ -208,6 +208,16 @@ impl Function {
         self.derivation.formulations()
     }
 
+    /// True where a module has it whatever is asked for, because the runtime's trait `System` needs it.
+    pub fn is_always_generated(&self, has_quaternions: bool) -> bool {
+        self.trait_name.is_none() && (has_quaternions || !self.normalizes())
+    }
+
+    /// True where it brings the quaternions that it is given to length one.
+    pub fn normalizes(&self) -> bool {
+        self.name == "normalize"
+    }
+
     /// True where the cost of its values may depend on whether a plan uses the technique.
     pub(super) fn heeds(&self, technique: Technique) -> bool {
         match technique {

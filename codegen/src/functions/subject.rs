@@ -67,6 +67,11 @@ impl Subject {
         Self { n_speeds, ..own }
     }
 
+    /// The names of the frames, as the model has them.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.frames.iter().map(|frame| frame.name.as_str())
+    }
+
     /// The length of a dimension that it decides.
     pub(super) fn length(&self, dimension: Dimension) -> Option<usize> {
         match dimension {

@@ -57,12 +57,7 @@ pub struct Options {
 impl Options {
     /// True where the function is to be generated.
     pub fn selects(&self, tree: &Tree, function: &Function) -> bool {
-        let always = match function.name {
-            "q_dot" => true,
-            "normalize" => tree.has_quaternions(),
-            _ => false,
-        };
-        always || self.functions.names(function)
+        function.is_always_generated(tree.has_quaternions()) || self.functions.names(function)
     }
 
     /// What is to be generated, in the order of a module.

@@ -4,6 +4,7 @@
 //! given.
 
 use crate::{
+    choices::name_of,
     description::{Base, Chart, Reading},
     functions::{ALL, DEFAULT, Parsed},
     recursive::Technique,
@@ -87,9 +88,4 @@ fn functions_in_words(functions: &Functions) -> String {
 fn listed(part: &str, mut list: Vec<String>) -> Option<String> {
     list.sort();
     (!list.is_empty()).then(|| format!("{part}: {}", list.join(", ")))
-}
-
-fn name_of<T: PartialEq>(value: &T, choices: &[(&'static str, T)]) -> &'static str {
-    let found = choices.iter().find(|(_, choice)| choice == value);
-    found.expect("options: every choice has a name").0
 }

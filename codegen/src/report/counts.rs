@@ -55,35 +55,40 @@ fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
                 .or(refused.take());
             !is_refused
         })
-        .map(|&formulation| compile::of_formulation(plans, function, formulation))
+        .map(|&formulation| {
+            let choice = compile::of_formulation(plans, function, formulation);
+            let written = compile::emitted(plans.tree, function, &choice.derived, plans.without);
+            (choice, written)
+        })
         .collect();
-    let cheapest = cheapest(plans, function, &derived);
-    let formulations = derived.iter().map(|choice| {
-        let operations = compile::emitted(plans.tree, function, &choice.derived, plans.without);
-        (choice.formulation, operations)
-    });
-    let formulations = formulations.collect();
+    let written = derived.iter();
+    let written = written.map(|(choice, written)| (choice.formulation, *written));
     Counts {
         function: function.clone(),
-        formulations,
-        cheapest,
+        formulations: written.collect(),
+        cheapest: cheapest(plans.tree, function, &derived),
         refused,
     }
 }
 
 /// The formulation that [`compile::choose`] takes.
-fn cheapest(plans: &Plans<'_>, function: &Request, choices: &[Choice]) -> Option<Formulation> {
-    let of = |wanted| choices.iter().find(|choice| choice.formulation == wanted);
-    match (of(Formulation::Notes), of(Formulation::Recursive)) {
-        (Some(notes), Some(recursive)) => {
-            let [notes, recursive] = [notes, recursive].map(|choice| &choice.derived);
-            let is_notes = compile::notes_cost_no_more(plans, function, notes, recursive);
-            Some(if is_notes {
-                Formulation::Notes
+fn cheapest(
+    tree: &Tree,
+    function: &Request,
+    choices: &[(Choice, Operations)],
+) -> Option<Formulation> {
+    // In the order of `Formulation`.
+    let cheapest = match choices {
+        [(notes, of_notes), (recursive, of_recursion)] => {
+            let both = [&notes.derived, &recursive.derived];
+            let written = [*of_notes, *of_recursion];
+            if compile::notes_cost_no_more(tree, function, both, written) {
+                notes
             } else {
-                Formulation::Recursive
-            })
+                recursive
+            }
         }
-        _ => choices.first().map(|choice| choice.formulation),
-    }
+        _ => &choices.first()?.0,
+    };
+    Some(cheapest.formulation)
 }

@@ -80,6 +80,20 @@ fn what_is_no_file_is_refused() {
 }
 
 #[test]
+fn a_model_from_standard_input_is_refused_with_what_reads_it() {
+    let project = arm();
+    let readers = readers("-");
+    // A module ends in `.rs`.
+    for arguments in readers.iter().filter(|arguments| arguments[0] != "verify") {
+        assert_refused(
+            &project,
+            arguments,
+            "cannot access `-`: there is no such file; only `kane eval --state -` reads standard input",
+        );
+    }
+}
+
+#[test]
 fn what_only_looks_like_the_rest_of_a_killed_run_stays() {
     let project = Project::generated();
     let names = ["pipe", "folder"].map(|name| format!("generated/.kane-generate-{name}.tmp"));

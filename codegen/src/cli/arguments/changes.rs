@@ -4,6 +4,7 @@ use std::mem;
 
 use clap::Args;
 use kane_codegen::{
+    choices::name_of,
     config::{Changed, Prescribed},
     description::{Base, Chart, Reading},
     diagnostic::Escaped,
@@ -13,7 +14,7 @@ use kane_codegen::{
 
 use crate::cli::{
     Failures,
-    arguments::parse::{lock, name_of, one_of, tolerance},
+    arguments::parse::{lock, one_of, tolerance},
     job::Listing,
 };
 

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use clap::Args;
 use kane_codegen::{
+    choices::name_of,
     config::Named,
     functions::Parsed,
     options::{Formulation, Functions, Options},
@@ -17,7 +18,7 @@ use crate::cli::{
     arguments::{
         changes::ChangesArguments,
         functions::{functions, names},
-        parse::{name_of, one_of},
+        parse::one_of,
     },
     job::Listing,
     listed,

@@ -14,15 +14,6 @@ pub(crate) fn one_of<T: Clone + Send + Sync + 'static, const N: usize>(
     })
 }
 
-/// The name of one of these choices.
-pub(crate) fn name_of<T: PartialEq, const N: usize>(
-    value: &T,
-    choices: &[(&'static str, T); N],
-) -> &'static str {
-    let found = choices.iter().find(|(_, known)| known == value);
-    found.expect("config: every choice has a name").0
-}
-
 /// Reads a tolerance.
 pub(crate) fn tolerance(text: &str) -> Result<f64, String> {
     let tolerance: f64 = text.parse().map_err(|_| "expected a number".to_owned())?;

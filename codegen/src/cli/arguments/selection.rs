@@ -8,12 +8,15 @@ use std::{
 };
 
 use clap::Args;
-use kane_codegen::companions::{Abi, CompanionKind};
+use kane_codegen::{
+    choices::name_of,
+    companions::{Abi, CompanionKind},
+};
 
 use crate::cli::{
     Failures,
     arguments::options::{Asked, OptionsArguments},
-    arguments::parse::{name_of, one_of, quoted},
+    arguments::parse::{one_of, quoted},
     job::{self, Job},
     listed::{self, Listed},
     paths,

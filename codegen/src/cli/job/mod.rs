@@ -201,9 +201,19 @@ pub(crate) fn over_budget<'a>(jobs: &'a [Job], modules: &[Generated]) -> Vec<(&'
 
 /// Reads a model.
 pub(crate) fn read(model: &Path) -> Result<Source, Error> {
-    let text = input::text(model).map_err(|source| Error::Io {
-        path: model.to_owned(),
-        source,
+    let text = input::text(model).map_err(|source| {
+        let is_standard_input = model == Path::new("-") && source.kind() == io::ErrorKind::NotFound;
+        let source = if is_standard_input {
+            io::Error::other(
+                "there is no such file; only `kane eval --state -` reads standard input",
+            )
+        } else {
+            source
+        };
+        Error::Io {
+            path: model.to_owned(),
+            source,
+        }
     })?;
     Ok(Source::new(model.to_string_lossy(), text))
 }

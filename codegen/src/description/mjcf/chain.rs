@@ -166,10 +166,7 @@ impl Bodies {
             let fault =
                 Diagnostic::error(message).help("give `stiffness` and `damping` as numbers");
             let place = joints.find_map(JointElement::spring_damper);
-            reader.faults.push(match place {
-                Some(place) => fault.at(place, "the first one"),
-                None => fault,
-            });
+            reader.faults.push(fault.at_if(place, "the first one"));
             return;
         };
         for (body, inertia) in self.list.iter_mut().zip(inertias) {

@@ -157,10 +157,8 @@ fn two_parents(first: &JointElement<'_>, second: &JointElement<'_>) -> Diagnosti
     );
     let labels = [(second, "the second one"), (first, "the first one")];
     labels.into_iter().fold(fault, |fault, (joint, label)| {
-        match joint.child.or(joint.parent) {
-            Some(name) => fault.at(name.span, label),
-            None => fault,
-        }
+        let name = joint.child.or(joint.parent);
+        fault.at_if(name.map(|name| name.span), label)
     })
 }
 
@@ -185,9 +183,9 @@ fn hang_in_a_cycle(
         .iter()
         .take(MOST_NAMED)
         .filter_map(|link| joint_of[*link]);
-    let fault = hung_by.fold(fault, |fault, joint| match joints[joint].parent {
-        Some(parent) => fault.at(parent.span, format!("parent of {}", joints[joint].words)),
-        None => fault,
+    let fault = hung_by.fold(fault, |fault, joint| {
+        let JointElement { parent, words, .. } = &joints[joint];
+        fault.at_if(parent.map(|name| name.span), format!("parent of {words}"))
     });
     fault.help("closed loops are not supported: every link hangs from one root link")
 }

@@ -7,8 +7,7 @@
 use std::ops::Range;
 
 use super::{
-    given_name,
-    joined::{self, WrittenPart},
+    given_name, joined,
     parsed_subject::ParsedSubject,
     request_error::{RequestError, all_or_faults, each_once},
     syntax::{self, AT_SIN_COS, Kind, Product, Unexpected, Word, written},
@@ -18,7 +17,7 @@ use crate::{
     functions::{
         derivatives::derivative::{Derivative, DerivativeKind},
         function::{Function, Of},
-        part::{Part, text_of},
+        part::{AskedPart, Part},
         request::Request,
         subject::View,
         variable::{self, Variable, holding},
@@ -80,8 +79,8 @@ impl Parsed {
         let parts = all_or_faults(parts);
         match &parts {
             Ok(parts) => {
-                let written: Vec<WrittenPart> = parts.iter().map(ParsedPart::written).collect();
-                faults.extend(joined::written_fault(text, &written));
+                let asked: Vec<AskedPart<'_>> = parts.iter().map(ParsedPart::asked).collect();
+                faults.extend(joined::fault(text, &asked, joined::plain));
             }
             Err(more) => faults.extend(more.iter().cloned()),
         }
@@ -130,7 +129,8 @@ impl Parsed {
         let parts = self.parts.iter();
         let parts = parts.map(|part| part.on(&self.text, tree, near));
         let parts = all_or_faults(parts)?;
-        match joined::fault(&self.text, &parts) {
+        let asked: Vec<AskedPart<'_>> = parts.iter().map(Part::asked).collect();
+        match joined::fault(&self.text, &asked, str::to_owned) {
             Some(fault) => Err(vec![fault]),
             None => Ok(Request::new(self.name.clone(), parts, self.at_sin_cos)),
         }
@@ -156,8 +156,7 @@ impl Parsed {
 
     /// The same without a name that it is given.
     pub fn sum(&self) -> String {
-        let parts: Vec<String> = self.parts.iter().map(ParsedPart::text).collect();
-        parts.join("+") + if self.at_sin_cos { AT_SIN_COS } else { "" }
+        syntax::sum(self.parts.iter().map(ParsedPart::text), self.at_sin_cos)
     }
 
     /// A request without what does not matter, spaces and quotes; one with faults as it is.
@@ -385,28 +384,21 @@ impl ParsedPart {
         is_plain.then_some(self.function)
     }
 
-    fn text_of_values(&self) -> String {
-        match &self.subject {
-            None => self.function.name.to_owned(),
-            Some(subject) => text_of(self.function, subject.names(), subject.view),
-        }
-    }
-
     fn text(&self) -> String {
-        let of = self.text_of_values();
-        let Some((kind, by)) = &self.derivative else {
-            return of;
-        };
-        let by: Vec<String> = by.iter().map(|word| written(&word.text)).collect();
-        Derivative::text(*kind, &of, &by.join(", "))
+        self.asked().text()
     }
 
-    fn written(&self) -> WrittenPart {
-        WrittenPart {
-            text: self.text(),
-            of_values: self.text_of_values(),
+    fn asked(&self) -> AskedPart<'_> {
+        let subject = self.subject.as_ref();
+        let by = |by: &[Word]| {
+            let words: Vec<String> = by.iter().map(|word| written(&word.text)).collect();
+            words.join(", ")
+        };
+        let derivative = self.derivative.as_ref();
+        AskedPart {
             function: self.function,
-            derivative: self.derivative.as_ref().map(|(kind, _)| *kind),
+            subject: subject.map(|own| (own.names().collect(), own.view)),
+            derivative: derivative.map(|(kind, words)| (*kind, by(words))),
         }
     }
 

@@ -192,6 +192,12 @@ pub fn written(word: &str) -> String {
     }
 }
 
+/// A request by the texts of its parts.
+pub fn sum(parts: impl Iterator<Item = String>, at_sin_cos: bool) -> String {
+    let parts: Vec<String> = parts.collect();
+    parts.join("+") + if at_sin_cos { AT_SIN_COS } else { "" }
+}
+
 /// A request with what its function is to be called.
 pub fn named(name: Option<&str>, sum: String) -> String {
     match name {

@@ -19,7 +19,7 @@ impl Part {
             return of;
         };
         let mut lines = derivative.doc(
-            &self.text_of_values(),
+            &self.asked().text_of_values(),
             &self.outputs(),
             &self.places_constant(),
         );

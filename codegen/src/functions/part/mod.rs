@@ -1,5 +1,6 @@
 //! A part of a request: a function of the catalogue, and what it is of.
 
+mod asked;
 mod derive;
 mod doc;
 mod route;
@@ -24,6 +25,7 @@ use super::{
 };
 use crate::{base_parameters, recursive::Plan, tree::Tree};
 
+pub(super) use asked::AskedPart;
 pub(super) use route::Direct;
 pub use rows::Rows;
 
@@ -38,33 +40,21 @@ pub struct Part {
     pub derivative: Option<Derivative>,
 }
 
-/// A function of frames as it is asked for: `velocity(tool0, local)`.
-pub(super) fn text_of<'a>(
-    function: &Function,
-    frames: impl Iterator<Item = &'a str>,
-    view: View,
-) -> String {
-    let mut words: Vec<String> = frames.map(written).collect();
-    words.extend((view == View::Local).then(|| LOCAL.to_owned()));
-    format!("{}({})", function.name, words.join(", "))
-}
-
 impl Part {
     /// As it is asked for.
     pub fn text(&self) -> String {
-        let of = self.text_of_values();
-        match &self.derivative {
-            None => of,
-            Some(derivative) => Derivative::text(derivative.kind, &of, &derivative.joined(", ")),
-        }
+        self.asked().text()
     }
 
-    fn text_of_values(&self) -> String {
-        let Some(subject) = &self.subject else {
-            return self.function.name.to_owned();
-        };
-        let frames = subject.frames.iter().map(|frame| frame.name.as_str());
-        text_of(self.function, frames, subject.view)
+    /// What its text says.
+    pub(super) fn asked(&self) -> AskedPart<'_> {
+        let subject = self.subject.as_ref();
+        let derivative = self.derivative.as_ref();
+        AskedPart {
+            function: self.function,
+            subject: subject.map(|own| (own.names().collect(), own.view)),
+            derivative: derivative.map(|own| (own.kind, own.joined(", "))),
+        }
     }
 
     /// Its name in generated code: `bias`, `tool0_velocity_local`.

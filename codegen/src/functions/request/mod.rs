@@ -12,7 +12,7 @@ use super::{
     formulation::Formulation,
     function::{Function, MassMatrixUse, Output},
     packed::Packed,
-    parse::syntax::{AT_SIN_COS, named},
+    parse::syntax::{named, sum},
     part::Part,
     shape::Dimension,
     variable::Variable,
@@ -121,7 +121,7 @@ impl Request {
 
     /// The same without a name that it was given.
     pub fn sum(&self) -> String {
-        self.joined("+", Part::text) + self.suffix(AT_SIN_COS)
+        sum(self.parts.iter().map(Part::text), self.at_sin_cos)
     }
 
     /// The generated function's name: the one that it was given, or that of its parts.
@@ -131,16 +131,13 @@ impl Request {
 
     /// `mass_matrix_and_bias_at_sin_cos`.
     pub(super) fn name_of_parts(&self) -> String {
-        self.joined("_and_", Part::name) + self.suffix("_at_sin_cos")
+        let at_sin_cos = if self.at_sin_cos { "_at_sin_cos" } else { "" };
+        self.joined("_and_", Part::name) + at_sin_cos
     }
 
     fn joined(&self, between: &str, name: fn(&Part) -> String) -> String {
         let names: Vec<String> = self.parts.iter().map(name).collect();
         names.join(between)
-    }
-
-    fn suffix<'a>(&self, at_sin_cos: &'a str) -> &'a str {
-        if self.at_sin_cos { at_sin_cos } else { "" }
     }
 
     /// What it is given besides the parameters: whatever one of its parts is given, in the order of all functions.

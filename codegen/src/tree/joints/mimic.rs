@@ -286,10 +286,8 @@ fn too_large(description: &Description, body: usize) -> Diagnostic {
     let fault =
         format!("{name} follows another by numbers whose products do not fit a 64-bit float");
     let fault = Diagnostic::error(fault);
-    match &description.bodies[body].joint.mimic {
-        Some(mimic) => fault.at(mimic.span, "expected smaller numbers"),
-        None => fault,
-    }
+    let mimic = description.bodies[body].joint.mimic.as_ref();
+    fault.at_if(mimic.map(|mimic| mimic.span), "expected smaller numbers")
 }
 
 fn cycle(description: &Description, chain: &[usize]) -> Diagnostic {

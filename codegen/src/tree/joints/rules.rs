@@ -211,13 +211,8 @@ fn singular(body: &WrittenBody, joint: &ResolvedJoint, name: &str) -> Option<Dia
         .iter()
         .find(|(coordinate, _)| coordinate.value == CoordinateName::Theta2)
         .and_then(|(_, value)| value.as_ref());
-    let fault = match written {
-        Some(written) => fault.at(
-            written.span,
-            format!("`theta1` and `theta3` turn about one axis {there}"),
-        ),
-        None => fault,
-    };
+    let label = format!("`theta1` and `theta3` turn about one axis {there}");
+    let fault = fault.at_if(written.map(|written| written.span), label);
     let fault = fault.at(first, "free here").at(third, "free here");
     Some(
         fault.help(

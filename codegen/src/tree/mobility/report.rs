@@ -102,10 +102,8 @@ fn without_mass(description: &Description) -> Diagnostic {
     let fault = Diagnostic::error(
         "nothing that moves has a mass or an inertia, so forces would move nothing",
     );
-    let fault = match &description.name {
-        Some(name) => fault.at(name.span, "no mass moves in this system"),
-        None => fault,
-    };
+    let name = description.name.as_ref().map(|name| name.span);
+    let fault = fault.at_if(name, "no mass moves in this system");
     fault.help(
         "give its bodies masses and inertias: a model that is only to be looked at often has none",
     )

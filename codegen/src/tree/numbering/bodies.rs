@@ -123,10 +123,8 @@ fn unknown(description: &Description, body: usize, number: i64, span: Span) -> D
 
 fn no_root(description: &Description, lower: &[Option<usize>]) -> Diagnostic {
     let fault = Diagnostic::error("no body hangs from the inertial frame");
-    let fault = match &description.lower_bodies {
-        Some(array) => fault.at(array.span, "expected at least one 0"),
-        None => fault,
-    };
+    let array = description.lower_bodies.as_ref().map(|array| array.span);
+    let fault = fault.at_if(array, "expected at least one 0");
     fault.help_if(cycles(lower).first().map(|cycle| {
         let chain = chain(description, cycle);
         format!("write 0 for the lower body of a root; now {chain}")

@@ -126,10 +126,7 @@ impl Reader<'_> {
 
     fn placed(&self, fault: Diagnostic, span: impl FnOnce() -> Option<Span>) -> Diagnostic {
         let is_shown = self.faults.count() < MOST_PLACED;
-        match is_shown.then(span).flatten() {
-            Some(span) => fault.at(span, "here"),
-            None => fault,
-        }
+        fault.at_if(is_shown.then(span).flatten(), "here")
     }
 
     fn file(&mut self, file: &Map<String, Value>, function: &Request) {

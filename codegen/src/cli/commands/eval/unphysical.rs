@@ -15,7 +15,10 @@ const TOLERANCE: f64 = 1e-6;
 
 /// Warns of quaternions and of frames' rotations that are none, and of masses below zero.
 pub(super) fn check(tree: &Tree, function: &Request, inputs: &State, voice: Voice) {
-    if function.sum() != "normalize" {
+    if function
+        .only_part()
+        .is_none_or(|part| !part.function.normalizes())
+    {
         quaternions(tree, inputs, voice);
     }
     rotations(tree, function, inputs, voice);

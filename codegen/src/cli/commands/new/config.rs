@@ -1,6 +1,7 @@
 //! The `kane.toml` of a new package.
 
 use kane_codegen::{
+    choices::name_of,
     companions::Abi,
     description::{Base, Chart, Reading, toml::quoted},
     functions::{DEFAULT, parse::syntax::written},
@@ -8,8 +9,6 @@ use kane_codegen::{
     options::{Functions, Options},
     tree::{Changes, Tree},
 };
-
-use crate::cli::arguments::parse::name_of;
 
 /// One system: the model, read and changed by these options, that becomes the module `name`.
 pub(super) fn config(

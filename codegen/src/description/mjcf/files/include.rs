@@ -123,10 +123,9 @@ fn targets_of(
         Ok(document) => targets(reader, document.root()),
         Err(fault) => {
             let from = included.from.get(index).copied().flatten();
-            reader.faults.push(match from {
-                Some((span, _)) => fault.at(span, label(included.models[index] == index)),
-                None => fault,
-            });
+            let label = label(included.models[index] == index);
+            let fault = fault.at_if(from.map(|(span, _)| span), label);
+            reader.faults.push(fault);
             None
         }
     })
@@ -300,10 +299,7 @@ fn repeated(included: &Included, known: usize, index: usize, target: &Target) ->
     }
     let message = format!("`{path}` is included twice; a file may be included once");
     let fault = Diagnostic::error(message).at(target.path_span, "included again");
-    match from(known) {
-        Some((first, _)) => fault.at(first, "included first"),
-        None => fault,
-    }
+    fault.at_if(from(known).map(|(first, _)| first), "included first")
 }
 
 /// A path in which `./` and `folder/../` make no difference.
