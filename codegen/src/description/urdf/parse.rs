@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::description::urdf::joint::{self, JointElement};
+use crate::description::urdf::left_out;
 use crate::description::urdf::link::{self, LinkElement};
 use crate::description::urdf::named::{IGNORED, Names};
 use crate::description::urdf::structure;
@@ -92,6 +93,7 @@ fn read(
     let note = "a URDF has no gravity: it is taken as (0, 0, -9.81) m/s^2";
     let note = Diagnostic::note(note).at(robot.span(), "gravity along -z");
     reader.faults.push(note);
+    left_out::warn(reader, robot);
     let bodies = bodies(reader, robot, reading);
     Some(Description {
         name: name.map(|name| named(reader, name, source)),

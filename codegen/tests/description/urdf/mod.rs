@@ -1,6 +1,7 @@
 //! Reading URDF: what every element becomes.
 
 mod causes;
+mod left_out;
 mod limits;
 mod robots;
 mod text;
