@@ -11,5 +11,6 @@ mod named;
 mod origin;
 mod parse;
 mod structure;
+mod unexpanded;
 
 pub use parse::{is_urdf, parse};
