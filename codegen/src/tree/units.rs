@@ -1,9 +1,9 @@
-//! Numbers that look as if they had another unit: degrees in place of radians, millimetres in place of metres, also in inertias and
-//! gravity.
+//! Numbers that look as if they had another unit: degrees in place of radians, also in limits of velocity; millimetres in place of
+//! metres, also in inertias and gravity.
 //!
 //! In: a description. Out: warnings; everything is computed as given.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use crate::description::{Description, Limits, PerCoordinate, WrittenBody};
 use crate::diagnostic::{Diagnostic, Escaped, Span};
@@ -17,11 +17,15 @@ const MOST_DEGREES: f64 = 720.0;
 const DEGREES: f64 = 5.0;
 /// Multiples of this often stand for no limit.
 const ROUND: f64 = 50.0;
+/// Limits of velocity in degrees, rad/s; of several joints that turn, one is slower.
+const FAST: RangeInclusive<f64> = 45.0..=MOST_DEGREES;
 /// Most lengths of a small system are below, m.
 const FAR: f64 = 20.0;
 /// The mass of all bodies of a small system, kg.
 const SMALL: f64 = 1000.0;
-/// So many offsets between joints say which unit all have, where bodies have another one.
+/// An offset between two joints beyond this may be in millimetres where others are in metres, m.
+const LONG: f64 = 10.0;
+/// So many offsets between joints, or limits of velocity, say which unit all have.
 const FEW: usize = 3;
 /// A length in millimetres among others in metres is so many times the median.
 const MANY: Range<f64> = 100.0..5000.0;
@@ -39,11 +43,13 @@ const STRONG: f64 = 1000.0;
 /// Warns of limits that look like degrees, of lengths, inertias and gravity that look like those in millimetres.
 pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) {
     limits(description, findings);
+    findings.extend(fast_limits(description));
     let masses = description.bodies.iter().filter_map(|body| body.mass);
     let mass: f64 = masses.map(|mass| mass.value.nominal()).sum();
     if mass < SMALL {
         let lengths = lengths(description);
         findings.extend(long_lengths(description, &lengths, mass));
+        findings.extend(lone_offsets(description, &lengths));
         findings.extend(wide_inertias(description, &lengths, mass));
     }
     findings.extend(strong_gravity(description));
@@ -78,6 +84,22 @@ fn limits(description: &Description, findings: &mut Vec<Diagnostic>) {
             name,
         ));
     }
+}
+
+/// One warning where all limits of velocity are too large for radians.
+fn fast_limits(description: &Description) -> Option<Diagnostic> {
+    let limits = description.bodies.iter().flat_map(angular_limits);
+    let limits: Vec<_> = limits.filter_map(|limits| limits.velocity).collect();
+    let are_fast = limits.len() >= FEW && limits.iter().all(|limit| FAST.contains(&limit.value));
+    let round = limits.iter().find(|limit| is_round(limit.value));
+    let round = round.filter(|_| are_fast)?;
+    let message = format!(
+        "the velocity limits of all {} joints that turn and have one are at least {:?} rad/s, one is {:?} rad/s; are they in degrees?",
+        limits.len(),
+        FAST.start(),
+        round.value
+    );
+    Some(Diagnostic::warning(message).at(round.span, "expected rad/s"))
 }
 
 /// The limits of angles.
@@ -186,6 +208,27 @@ fn long_lengths(description: &Description, lengths: &[Length], mass: f64) -> Vec
         );
         let warning = Diagnostic::warning(message).at(length.span, "expected metres");
         warning.one_of("mass centres look as if they were in millimetres", name)
+    });
+    warned.collect()
+}
+
+/// A warning for each offset between joints that stands out among others. What hangs by few joints may hang far away, on a tether.
+fn lone_offsets(description: &Description, lengths: &[Length]) -> Vec<Diagnostic> {
+    let between: Vec<&Length> = lengths.iter().filter(|own| !own.is_mass_center).collect();
+    if between.len() <= FEW {
+        return Vec::new();
+    }
+    let median = between[(between.len() - 1) / 2].metres;
+    let stands_out =
+        |length: &&Length| length.metres > LONG && MANY.contains(&(length.metres / median));
+    let warned = between.into_iter().filter(stands_out).map(|length| {
+        let (metres, body) = (length.metres, &description.bodies[length.body]);
+        let name = joint(description, body, length.body);
+        let message = format!(
+            "{name} is {metres:.1} m from the origin of its lower body, far beyond all others; is it in millimetres?"
+        );
+        let warning = Diagnostic::warning(message).at(length.span, "expected metres");
+        warning.one_of("offsets between joints look as if they were in millimetres", name)
     });
     warned.collect()
 }

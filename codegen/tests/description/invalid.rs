@@ -159,7 +159,7 @@ mod urdf_file {
         joint_without_name
         joint_without_parent
         joint_without_type
-        limit_is_infinite
+        limit_is_nan
         link_on_itself
         link_with_empty_name
         link_without_name

@@ -14,6 +14,7 @@ mod mended;
 mod meshes;
 mod meshes_faulty;
 mod mjcf;
+mod mjcf_degrees;
 mod mjcf_equalities;
 mod mjcf_files;
 mod mjcf_geometry;

@@ -464,6 +464,18 @@ fn inertia_that_a_bound_raises_may_be_absent() {
 }
 
 #[test]
+fn body_without_a_joint_may_be_a_point_mass() {
+    let model = read(
+        "<mujoco><worldbody><body name=\"b\"><joint/><geom size=\"1\"/>
+           <body name=\"c\"><inertial pos=\"1 0 0\" mass=\"2\"/></body></body></worldbody></mujoco>",
+    );
+    let body = &model.bodies[1];
+    assert_eq!(body.inertia.map(number), [0.0; 6]);
+    assert_eq!(number(body.mass), 2.0);
+    assert_eq!(body.mass_center.map(number), [1.0, 0.0, 0.0]);
+}
+
+#[test]
 fn names_of_ours_give_way_to_those_of_the_file() {
     let model = read(
         "<mujoco><worldbody><body name=\"b\"><joint/><geom size=\"1\"/><site name=\"b\"/><site name=\"b_site\"/>

@@ -372,3 +372,26 @@ fn equality_of_elements_in_a_replicate_holds_in_each_copy() {
     let expected = [("a_0", "b_0", 1.0, 0.0), ("a_1", "b_1", 1.0, 0.0)];
     assert_eq!(mimics(&model), expected);
 }
+
+#[test]
+fn equality_of_elements_in_and_outside_of_a_replicate_says_how_copies_are_called() {
+    let text = "<mujoco><worldbody><replicate count=\"2\" offset=\"9 0 0\" sep=\"_\">
+  <body><joint name=\"a\" type=\"slide\"/><geom size=\"1\"/></body></replicate>
+  <body><joint name=\"b\" type=\"slide\"/><geom size=\"1\"/></body>
+</worldbody><equality><joint joint1=\"b\" joint2=\"a\"/></equality></mujoco>";
+    let told = "a joint equality ties joint `a`, which stands in a `replicate`; the first copy is called `a_0`";
+    assert_eq!(errors(&parse(text, &[])), [told]);
+    // By their own names all joints can be tied.
+    let model = parse(&text.replace("joint2=\"a\"", "joint2=\"a_1\""), &[]);
+    assert_eq!(errors(&model), [""; 0]);
+    assert_eq!(mimics(&model), [("b", "a_1", 1.0, 0.0)]);
+}
+
+#[test]
+fn joint_without_a_name_is_told_once_for_all_copies() {
+    let text = "<mujoco><worldbody><replicate count=\"2\" offset=\"9 0 0\">
+  <body><joint name=\"a\" type=\"slide\"/><geom size=\"1\"/></body></replicate>
+</worldbody><equality><joint joint1=\"\"/></equality></mujoco>";
+    let model = parse(text, &[]);
+    assert_eq!(errors(&model), ["`joint1` of a joint equality is empty"]);
+}

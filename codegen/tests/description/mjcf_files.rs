@@ -62,7 +62,7 @@ fn included_elements_stand_where_they_are_included() {
     1 | <mujocoinclude><body name="c"/><body name="d" axisangle="1 0 0 3.0" mas="1"/></mujocoinclude>
       |                                                                     ^^^ ignored
       |
-      = help: the attributes here are `name`, `childclass`, `mocap`, `pos`, `quat`, `axisangle`, `xyaxes`, `zaxis`, `euler`, `gravcomp`, `fuse`
+      = help: the attributes that are read here are `name`, `childclass`, `mocap`, `pos`, `quat`, `axisangle`, `xyaxes`, `zaxis`, `euler`, `gravcomp`, `fuse`
     "#);
 }
 

@@ -72,6 +72,33 @@ fn list_of_systems_is_no_model() {
     insta::assert_snapshot!(build("[[system]]\nmodel = \"arm.toml\"\n").unwrap_err());
 }
 
+/// A hinge with these limits.
+fn limited(limits: &str) -> String {
+    system("[0]", &[("a", "\"revolute\"\naxis = [0, 1, 0]")])
+        + &format!("limits = {{ {limits} }}\n")
+}
+
+#[test]
+fn infinite_limits_are_none() {
+    let of = |text: &str| build(text).unwrap().tree.bodies[0].joint.mechanics;
+    let limits = "lower = -1.0, upper = inf, velocity = +inf, effort = 3.0";
+    let without = "lower = -1.0, effort = 3.0";
+    assert_eq!(of(&limited(limits)), of(&limited(without)));
+    let none = limited("lower = -inf, upper = inf, velocity = inf, effort = inf");
+    let without = none.lines().filter(|line| !line.starts_with("limits"));
+    let without = of(&without.collect::<Vec<_>>().join("\n"));
+    assert_eq!(of(&none), without);
+    assert_eq!(of(&none.replace("revolute", "continuous")), without);
+    for limit in [
+        "lower = inf",
+        "upper = -inf",
+        "effort = -inf",
+        "velocity = nan",
+    ] {
+        assert!(build(&limited(limit)).is_err(), "{limit}");
+    }
+}
+
 #[test]
 fn columns_count_characters_not_bytes() {
     let text = system("[0]", &[("Gelenkkörper", "[\"theta1\"]")]);

@@ -27,6 +27,7 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>, found: &Found<'
         models,
         names: Names::of(found),
         captured: &found.captured,
+        copies: &found.copies,
         sections: BTreeMap::new(),
         copied: BTreeSet::new(),
         ties: Ties::default(),
@@ -44,6 +45,8 @@ struct Equalities<'d, 'f> {
     models: &'f Models<'d>,
     names: Names<'f>,
     captured: &'f Captured,
+    /// What is around each copy.
+    copies: &'f [Around],
     /// Those of each model, by its number.
     sections: BTreeMap<usize, Vec<Element<'d>>>,
     /// The places of those that hold in copies.
@@ -111,7 +114,10 @@ impl<'d> Equalities<'d, '_> {
         if equality.is_left_out(model) {
             equality.leave_out(reader, format!("{owner} is left out"));
         } else if equality.element.name() == "joint" {
-            equality.tie(reader, &mut self.ties);
+            match self.in_copies(equality) {
+                Some(fault) => reader.faults.push(fault),
+                None => equality.tie(reader, &mut self.ties),
+            }
         } else if equality.follows(self.captured) {
             let message = format!("{owner} with a body that follows motion capture is left out");
             equality.leave_out(reader, message);
@@ -119,6 +125,31 @@ impl<'d> Equalities<'d, '_> {
             let message = format!("{owner} is active");
             equality.refuse(reader, &message, "constraints like this are not supported");
         }
+    }
+
+    /// The fault of a joint that is there only under the names of its copies.
+    fn in_copies(&self, equality: &Equality<'_, '_>) -> Option<Diagnostic> {
+        let own = equality.around;
+        let joints = ["joint1", "joint2"].into_iter();
+        let mut joints = joints.filter_map(|name| equality.given.text(name));
+        let joint = joints.find(|joint| !self.names.joints.contains(&*own.name(joint.value)))?;
+        let copies = self.copies.iter();
+        let copies = copies.filter(|copy| copy.model == own.model && copy.prefix == own.prefix);
+        let names = copies.map(|copy| copy.name(joint.value));
+        let mut names = names.filter(|name| self.names.joints.contains(name.as_str()));
+        let first = names.next()?;
+        let message = format!(
+            "{} ties joint `{}`, which stands in a `replicate`; the first copy is called `{}`",
+            equality.owner,
+            shown(joint.value),
+            shown(&first)
+        );
+        let fault = Diagnostic::error(message).at(joint.span, "expected the name of a copy");
+        Some(
+            fault.help(
+                "an equality holds in each copy only if all that it names stands in that copy",
+            ),
+        )
     }
 }
 
@@ -245,6 +276,12 @@ impl<'d, 'a> Equality<'d, 'a> {
             reader.faults.push(fault);
             return;
         };
+        if joint.value.is_empty() {
+            let message = format!("`joint1` of {} is empty", self.owner);
+            let fault = Diagnostic::error(message).at(joint.span, "expected a hinge or a slide");
+            reader.faults.push(fault);
+            return;
+        }
         let coefficients = self.given.up_to(reader, "polycoef", 5);
         if coefficients.is_none() && self.given.has("polycoef") {
             return;

@@ -12,6 +12,7 @@ mod beside_bodies;
 mod bodies;
 mod chain;
 mod contents;
+mod degrees;
 mod equalities;
 mod files;
 mod finite;

@@ -8,7 +8,7 @@ use crate::description::mjcf::model::Beside;
 use crate::description::mjcf::model::mesh_budget::Budget;
 use crate::description::mjcf::model::models::{self, Models};
 use crate::description::mjcf::{
-    beside_bodies, bodies, equalities, files::include, finite, names, sites,
+    beside_bodies, bodies, degrees, equalities, files::include, finite, names, sites,
 };
 use crate::description::xml::{Element, Mended, Reader};
 use crate::description::{Description, Include, Reading};
@@ -74,9 +74,14 @@ fn read<'d>(
     for number in attached.into_iter().filter(|number| *number != 0) {
         beside_bodies::read(reader, &models.list[number]);
     }
+    let attaches = found.attaches();
     let ties = equalities::read(reader, &models, &found);
     let total_mass = main.settings.total_mass;
     let mut bodies = found.bodies.written(reader, total_mass, &ties.held());
+    // Each model has its own unit.
+    if !attaches {
+        degrees::warn(reader, &main.settings, &bodies.list);
+    }
     ties.apply(reader, &mut bodies.list, &bodies.references);
     names::tell_joints_apart(reader, &mut bodies.list);
     let frames = sites::written(reader, &models, &found.sites, &bodies.list);

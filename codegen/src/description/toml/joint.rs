@@ -206,7 +206,12 @@ fn limits(reader: &mut Reader, item: &Item<'_>, what: &str) -> Optional<Limits> 
     let table = reader.table_such_as(item, what, &LIMIT_KEYS, example)?;
     let [lower, upper, velocity, effort] = LIMIT_KEYS.map(|key| {
         let item = table.get(key)?;
-        value::constant(reader, item, &table.what(key))
+        let none = match key {
+            "lower" => f64::NEG_INFINITY,
+            _ => f64::INFINITY,
+        };
+        let limit = (!value::is_number(item, none)).then_some(item)?;
+        value::constant(reader, limit, &table.what(key))
     });
     let limits = Limits {
         lower,

@@ -29,6 +29,12 @@ pub(super) fn is_at_run_time(item: &Item<'_>) -> bool {
     table.is_some_and(|table| table.contains_key("runtime"))
 }
 
+/// True for this number, which may be infinite.
+pub(super) fn is_number(item: &Item<'_>, number: f64) -> bool {
+    let float = item.get_ref().as_float();
+    float.is_some_and(|float| float.as_str().parse() == Ok(number))
+}
+
 /// A number that is the same at every run.
 pub(super) fn constant(reader: &mut Reader, item: &Item<'_>, what: &str) -> Optional<f64> {
     if is_at_run_time(item) {

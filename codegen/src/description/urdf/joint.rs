@@ -19,6 +19,9 @@ const TYPES: [(&str, JointKind); 6] = [
     ("floating", JointKind::Free),
 ];
 
+/// The ends of a range, and what stands for none.
+const ENDS: [(&str, f64); 2] = [("lower", f64::NEG_INFINITY), ("upper", f64::INFINITY)];
+
 /// A joint, and the two links that it joins.
 pub(super) struct JointElement<'d> {
     /// The name.
@@ -186,22 +189,21 @@ fn limits(
     };
     reader.unknown(element, &owner, &known);
     let mut limits = Limits {
-        velocity: reader.optional_number(element, &owner, "velocity"),
-        effort: reader.optional_number(element, &owner, "effort"),
+        velocity: reader.optional_limit(element, &owner, "velocity", f64::INFINITY),
+        effort: reader.optional_limit(element, &owner, "effort", f64::INFINITY),
         ..Limits::default()
     };
     if is_ranged {
-        let mut bound = |name| {
+        let [lower, upper] = ENDS.map(|(name, none)| {
             if element.attribute(name).is_none() {
                 return Some(Spanned::new(0.0, element.span()));
             }
-            reader.optional_number(element, &owner, name)
-        };
-        limits.lower = bound("lower");
-        limits.upper = bound("upper");
+            reader.optional_limit(element, &owner, name, none)
+        });
+        (limits.lower, limits.upper) = (lower, upper);
         warn_of_range(reader, element, &owner);
     } else if matches!(kind, Some(JointKind::Continuous)) {
-        let ends = ["lower", "upper"].map(|name| reader.optional_number(element, &owner, name));
+        let ends = ENDS.map(|(name, none)| reader.optional_limit(element, &owner, name, none));
         // Some exporters write zeros where there are no limits.
         if ends.iter().flatten().any(|end| end.value != 0.0) {
             warn_of_range_of_continuous(reader, element, words);

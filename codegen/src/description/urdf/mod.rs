@@ -5,10 +5,12 @@
 //! of all that is built on it. A URDF has no gravity: it is that of the earth, against z.
 
 mod joint;
+mod left_out;
 mod link;
 mod named;
 mod origin;
 mod parse;
 mod structure;
+mod unexpanded;
 
 pub use parse::{is_urdf, parse};

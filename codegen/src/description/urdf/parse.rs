@@ -3,9 +3,11 @@
 use std::path::Path;
 
 use crate::description::urdf::joint::{self, JointElement};
+use crate::description::urdf::left_out;
 use crate::description::urdf::link::{self, LinkElement};
 use crate::description::urdf::named::{IGNORED, Names};
 use crate::description::urdf::structure;
+use crate::description::urdf::unexpanded::unexpanded;
 use crate::description::xml::{Document, Element, Known, Mended, Reader, root_name};
 use crate::description::{
     Base, Chart, Description, Given, JointKind, Optional, Reading, Scalar, WrittenBody,
@@ -92,6 +94,7 @@ fn read(
     let note = "a URDF has no gravity: it is taken as (0, 0, -9.81) m/s^2";
     let note = Diagnostic::note(note).at(robot.span(), "gravity along -z");
     reader.faults.push(note);
+    left_out::warn(reader, robot);
     let bodies = bodies(reader, robot, reading);
     Some(Description {
         name: name.map(|name| named(reader, name, source)),
@@ -100,21 +103,6 @@ fn read(
         bodies: bodies.list,
         ..Description::none(source, Vec::new())
     })
-}
-
-/// Elements of xacro that stand for nothing: what is left of them in a URDF does no harm, if nothing is to be computed.
-const LEFTOVERS: [&str; 3] = ["xacro:arg", "xacro:macro", "xacro:property"];
-
-/// What is wrong with a file that xacro did not expand: links and joints may be missing.
-fn unexpanded(robot: Element<'_>, source: &Source) -> Option<Diagnostic> {
-    let computes = source.text().contains("${");
-    let stands_for_more =
-        |name: &str| name.starts_with("xacro:") && (computes || !LEFTOVERS.contains(&name));
-    let mut children = robot.children();
-    let first = children.find(|child| stands_for_more(child.name()))?;
-    let fault = format!("`{}` is no element of a URDF", shown(first.name()));
-    let fault = Diagnostic::error(fault).at(first.span(), "an element of xacro");
-    Some(fault.help("expand the file first: `xacro robot.xacro >robot.urdf`"))
 }
 
 /// The robot's name; that of its file where it is empty.

@@ -84,6 +84,11 @@ impl<'d> Element<'d> {
         self.place(start, if tag.contains('\n') { name } else { end })
     }
 
+    /// The text before the first element inside.
+    pub(crate) fn content(self) -> Option<&'d str> {
+        self.node.text()
+    }
+
     /// The elements directly inside, in the order of the file.
     pub(crate) fn children(self) -> impl Iterator<Item = Self> + use<'d> {
         let (mended, base) = (self.mended, self.base);

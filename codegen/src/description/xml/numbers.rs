@@ -16,6 +16,22 @@ impl Reader {
         self.number(value, &format!("`{name}` of {owner}"))
     }
 
+    /// A limit, of an attribute that may be absent; `none` is the infinity that stands for no limit, as does what is beyond all floats.
+    pub(crate) fn optional_limit(
+        &mut self,
+        element: Element<'_>,
+        owner: &str,
+        name: &str,
+        none: f64,
+    ) -> Option<Spanned<f64>> {
+        let value = element.attribute(name)?;
+        let is_none = value.value.trim_ascii().parse() == Ok(none);
+        if is_none {
+            return None;
+        }
+        self.number(value, &format!("`{name}` of {owner}"))
+    }
+
     /// A finite number; `what` is the words for it, such as "`value` of `mass` of link `hub`".
     pub(crate) fn number(&mut self, value: Spanned<&str>, what: &str) -> Option<Spanned<f64>> {
         self.numbers(value, what).map(|[number]| number)

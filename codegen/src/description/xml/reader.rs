@@ -95,9 +95,12 @@ impl Reader {
         if let Some(near) = nearest(name.value, known) {
             warning = warning.help(format!("did you mean `{near}`?"));
         } else if let [only] = known {
-            warning = warning.help(format!("the only {what} here is `{only}`"));
+            warning = warning.help(format!("the only {what} that is read here is `{only}`"));
         } else if !known.is_empty() {
-            warning = warning.help(format!("the {what}s here are {}", backquoted(known)));
+            warning = warning.help(format!(
+                "the {what}s that are read here are {}",
+                backquoted(known)
+            ));
         }
         self.faults.push(warning);
     }

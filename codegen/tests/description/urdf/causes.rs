@@ -59,3 +59,23 @@ fn numbers_that_xacro_or_a_space_would_mend_are_told_so() {
         assert!(help.contains(advice), "{faults}");
     }
 }
+
+#[test]
+fn elements_of_xacro_that_were_to_become_others_are_refused_wherever_they_count() {
+    let found = |inside: &str| errors(&robot(&[("j", "continuous", "a", "b", inside)]));
+    let left = |name: &str| [format!("`{name}` is no element of a URDF")];
+    let block = "<insert_block name=\"origin\"/>";
+    assert_eq!(found(block), left("insert_block"));
+    for name in ["xacro:insert_block", "xacro:if", "xacro:unless"] {
+        let element = format!("<{name} xmlns:xacro=\"x\"><limit/></{name}>");
+        assert_eq!(found(&element), left(name));
+        let in_axis = format!("<axis xyz=\"0 0 1\">{element}</axis>");
+        assert_eq!(found(&in_axis), left(name));
+        // Whatever a joint looks like, it moves as it does.
+        let seen = found(&format!("<gazebo>{element}</gazebo>"));
+        assert_eq!(seen, found(""));
+    }
+    assert_eq!(found(&format!("<origin xyz=\"0 0 1\"/>{block}")), found(""));
+    let property = "<xacro:property xmlns:xacro=\"x\" name=\"p\" value=\"1\"/>";
+    assert_eq!(found(property), found(""));
+}

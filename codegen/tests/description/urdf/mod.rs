@@ -1,6 +1,8 @@
 //! Reading URDF: what every element becomes.
 
 mod causes;
+mod left_out;
+mod limits;
 mod robots;
 mod text;
 

@@ -170,12 +170,13 @@ pub(in crate::description::mjcf) fn baked(number: Spanned<f64>) -> Spanned<Scala
     Spanned::new(Scalar::Baked(number.value), number.span)
 }
 
-/// Reads `inertial`; `None` where it is faulty.
+/// Reads `inertial`; `None` where it is faulty. One that may lack the inertia has none then.
 pub(in crate::description::mjcf) fn read(
     reader: &mut Reader,
     inertial: &Attributes<'_>,
     settings: &Settings,
     around: &Placement,
+    may_lack: bool,
 ) -> Option<MassProperties> {
     for name in ["pos", "mass"] {
         if !inertial.has(name) {
@@ -187,7 +188,7 @@ pub(in crate::description::mjcf) fn read(
     let mass = inertial.number(reader, "mass");
     let center = inertial.numbers(reader, "pos");
     let axes = rotation(reader, inertial, settings);
-    let inertia = moments(reader, inertial, settings)?;
+    let inertia = moments(reader, inertial, may_lack)?;
     let center: [Spanned<f64>; 3] = center?;
     let moved: Vector = around.point(center.map(|entry| entry.value));
     let span = ORIENTATION.into_iter().find(|name| inertial.has(name));
@@ -203,7 +204,7 @@ pub(in crate::description::mjcf) fn read(
 fn moments(
     reader: &mut Reader,
     inertial: &Attributes<'_>,
-    settings: &Settings,
+    may_lack: bool,
 ) -> Option<[Spanned<f64>; 6]> {
     let owner = &inertial.owner;
     if inertial.has("fullinertia") {
@@ -217,8 +218,7 @@ fn moments(
         }
         return inertial.numbers(reader, "fullinertia");
     }
-    if !inertial.has("diaginertia") && settings.least_inertia.is_some() {
-        // `boundinertia` raises it.
+    if !inertial.has("diaginertia") && may_lack {
         return Some([Spanned::new(0.0, inertial.span); 6]);
     }
     if !inertial.has("diaginertia") {

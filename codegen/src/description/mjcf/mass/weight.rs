@@ -66,7 +66,9 @@ impl Weighed<'_, '_> {
         let inertial = self.inertial(reader).map(|inside| {
             let owner = format!("`inertial` of {}", self.owner);
             let given = Attributes::of(reader, inside.element, &owner, &known::INERTIAL);
-            inertial::read(reader, &given, settings, &inside.around.frame)
+            // As in MuJoCo a body with a joint of its own has an inertia.
+            let may_lack = settings.least_inertia.is_some() || self.contents.joints.is_empty();
+            inertial::read(reader, &given, settings, &inside.around.frame, may_lack)
         });
         let infers = match settings.from_geoms {
             FromGeoms::Always => true,
