@@ -56,8 +56,7 @@ impl InputNames {
             Input::Point(axis) => of_frame("point", axis),
             Input::FrameForce(axis) => of_frame("force", axis),
             Input::FrameMoment(axis) => of_frame("moment", axis),
-            Input::Shared(place) => format!("shared_{place}"),
-            Input::Side(_) | Input::CallResult(_) => {
+            Input::Shared(_) | Input::Side(_) | Input::CallResult(_) => {
                 unreachable!("listing: {input:?} is no input of a function")
             }
             Input::Product(of, place) => format!("product_{of}_{place}"),

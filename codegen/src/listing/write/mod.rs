@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::Step;
 use crate::expr::Input;
 
+mod given_names;
 mod group;
 mod headings;
 mod helper;
@@ -13,7 +14,6 @@ mod loops;
 mod name;
 mod plain;
 mod scratch;
-mod side_names;
 mod signatures;
 mod stages;
 mod statements;

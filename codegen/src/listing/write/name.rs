@@ -101,7 +101,7 @@ pub(super) fn names<'a>(
     for (value, name) in program.values.iter().zip(&mut of_values) {
         match value.definition {
             // Read where it stands.
-            Definition::Input(Input::Prepared(_) | Input::Shared(_)) | Definition::Instruction => {}
+            Definition::Input(Input::Prepared(_)) | Definition::Instruction => {}
             Definition::Input(input) => *name = taken.take(of_input(input)),
         }
     }

@@ -352,7 +352,7 @@ impl StatementWriter<'_> {
         }
         match (self.held[id.index()], self.program.value(id).definition) {
             (Some(local), _) => Expression::Local(local),
-            (None, Definition::Input(input @ (Input::Prepared(_) | Input::Shared(_)))) => {
+            (None, Definition::Input(input @ Input::Prepared(_))) => {
                 Expression::Entry((self.known.entry)(input))
             }
             (None, _) => unreachable!("listing: value {} is read before it is there", id.index()),

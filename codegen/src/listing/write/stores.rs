@@ -46,10 +46,10 @@ impl Stores {
     }
 }
 
-/// True for a field of `Prepared`, and for what columns share: they are read where they stand.
+/// True for a field of `Prepared`, which is read where it stands.
 pub(super) fn is_field(program: &Program, id: ValueId) -> bool {
     matches!(
         program.value(id).definition,
-        Definition::Input(Input::Prepared(_) | Input::Shared(_))
+        Definition::Input(Input::Prepared(_))
     )
 }

@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use super::{
     InputPlaces,
+    given_names::{GivenNames, Known},
     group::Groups,
     helper,
     input_names::InputNames,
     loops,
     name::{self, Numbering},
     scratch::Scratch,
-    side_names::Known,
     signatures, stages, statements,
     statements::ProgramContext,
 };
@@ -41,8 +41,8 @@ struct Body<'b> {
     signature: &'b Signature,
     /// Where inputs stand among the arguments.
     given: InputPlaces,
-    /// What locals are called that hold what a helper is given of a column.
-    sides: &'b [String],
+    /// What locals are called that hold what a helper is given.
+    names: &'b GivenNames,
     scratch: &'b Scratch,
     /// Where outputs go.
     places: Vec<Entry>,
@@ -88,7 +88,7 @@ impl<'a> FunctionWriter<'a> {
             program,
             signature: &signature,
             given: self.given(&arguments),
-            sides: &[],
+            names: &GivenNames::default(),
             scratch: &scratch,
             places: places(&signature, self.facts),
             // Vectors of neighbours pay where these are copies of what calls compute, and where they are products with the same factors.
@@ -103,8 +103,8 @@ impl<'a> FunctionWriter<'a> {
         };
         let helpers = program.helpers.iter().enumerate();
         let helpers = helpers.map(|(place, own)| {
-            let sides = known.sides(program, place);
-            self.helper((&signature.name, place), own, &sides)
+            let names = known.given(program, place);
+            self.helper((&signature.name, place), own, &names)
         });
         let helpers = helpers.collect();
         Function {
@@ -128,7 +128,7 @@ impl<'a> FunctionWriter<'a> {
         &self,
         (of, place): (&str, usize),
         helper: &program::Helper,
-        sides: &[String],
+        names: &GivenNames,
     ) -> Helper {
         let (roles, signature) = helper::declared(of, place, helper);
         let program = &helper.program;
@@ -136,7 +136,7 @@ impl<'a> FunctionWriter<'a> {
             program,
             signature: &signature,
             given: helper::entries(program),
-            sides,
+            names,
             scratch: &Scratch::default(),
             places: places(&signature, self.facts),
             keeps_apart: false,
@@ -175,7 +175,7 @@ impl<'a> FunctionWriter<'a> {
             program,
             signature: &signature,
             given: InputPlaces::new(),
-            sides: &[],
+            names: &GivenNames::default(),
             scratch: &Scratch::default(),
             places: places.collect(),
             keeps_apart: false,
@@ -190,7 +190,8 @@ impl<'a> FunctionWriter<'a> {
         let arguments = signature.arguments.iter().chain(&body.scratch.declared);
         let arguments = arguments.map(|argument| argument.name.as_str());
         let of_input = |input| match input {
-            Input::Side(place) => body.sides[place].clone(),
+            Input::Side(place) => body.names.sides[place].clone(),
+            Input::Shared(place) => body.names.shared[place].clone(),
             input => self.inputs.input(self.tree, input),
         };
         let names = name::names(
