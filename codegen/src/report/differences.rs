@@ -67,6 +67,11 @@ impl Differences {
         !self.layouts.is_empty()
     }
 
+    /// True where no body came or went, and arrays are laid out as they were.
+    pub fn has_same_bodies(&self) -> bool {
+        self.added.is_empty() && self.removed.is_empty() && self.layouts.is_empty()
+    }
+
     /// What a body of the new system was called in the old one, where that was something else.
     pub fn old_name(&self, body: &str) -> Option<&str> {
         let mut renamed = self.renamed.iter();

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use kane_codegen::{
     diagnostic::Diagnostics,
     origin,
-    report::{self, Comparison, Differences, Meaning, Redeclared},
+    report::{self, Comparison, Differences, FormChange, Meaning, Redeclared},
 };
 
 use super::side::Described;
@@ -26,6 +26,8 @@ pub(super) struct Report {
     pub(super) base: Option<Meaning>,
     /// Of two modules, the arrays that hold something else.
     pub(super) held: Vec<Meaning>,
+    /// Where bodies and places are the same, long functions that are written in another form.
+    pub(super) forms: Vec<FormChange>,
     /// What should be known about the new model, and not about the old one.
     pub(super) warnings: Option<Diagnostics>,
     /// True where the texts say that they are made of the same in the same way, and differ.
@@ -62,6 +64,11 @@ impl Report {
         } else {
             report::held(texts[0], texts[1]).map_err(Failures::message)?
         };
+        let forms = if differences.has_same_bodies() {
+            report::forms(texts[0], texts[1]).map_err(Failures::message)?
+        } else {
+            Vec::new()
+        };
         let diff = TextDiff::new(texts[0], texts[1]);
         let is_same = texts[0] == texts[1];
         let mut options = origin::changed_options(texts);
@@ -77,6 +84,7 @@ impl Report {
             meanings,
             base,
             held,
+            forms,
             warnings: new.news(old),
             is_edited: !are_models
                 && !is_same

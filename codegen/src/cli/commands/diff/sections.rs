@@ -1,7 +1,8 @@
 //! What differs, for people: in a terminal, and as tables for a pull request.
 
 use kane_codegen::report::{
-    Body, Comparison, Differences, Layout, LayoutChange, Meaning, Redeclared, ValueChange,
+    Body, Comparison, Differences, FormChange, Layout, LayoutChange, Meaning, Redeclared,
+    ValueChange,
 };
 
 use super::{report::Report, systems::Systems};
@@ -233,7 +234,18 @@ fn sections(report: &Report) -> Vec<Section> {
         "operations",
         operations::rows(&report.functions),
     );
+    let forms = report.forms.iter().map(form);
+    push(
+        &mut sections,
+        "long functions written in another form, which changes many lines",
+        forms.collect(),
+    );
     sections
+}
+
+fn form(change: &FormChange) -> Row {
+    let how = change.reasons.join("; ");
+    ["changed".to_owned(), change.name.clone(), how]
 }
 
 fn meaning(change: &Meaning) -> Row {
