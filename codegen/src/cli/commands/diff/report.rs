@@ -11,6 +11,17 @@ use kane_codegen::{
 use super::side::Described;
 use crate::cli::{Failures, text::lines::ChangedLines, text::text_diff::TextDiff};
 
+/// How modules of one model came to differ.
+#[derive(Clone, Copy)]
+pub(super) enum Rewriting {
+    /// They are one text in two layouts.
+    Layout,
+    /// They say that they are made of the same in the same way.
+    ByHand,
+    /// Versions of the generator wrote them that have these formats.
+    Formats([u32; 2]),
+}
+
 /// What differs, and between what.
 pub(super) struct Report {
     /// As the user wrote them, or as git would write them.
@@ -30,12 +41,8 @@ pub(super) struct Report {
     pub(super) forms: Vec<FormChange>,
     /// What should be known about the new model, and not about the old one.
     pub(super) warnings: Option<Diagnostics>,
-    /// True where the texts say that they are made of the same in the same way, and differ.
-    pub(super) is_edited: bool,
-    /// True where the texts are one text in two layouts.
-    pub(super) is_layout_alone: bool,
-    /// The formats of the texts, where these differ.
-    pub(super) formats: Option<[u32; 2]>,
+    /// How the texts came to differ, where they say it.
+    pub(super) rewriting: Option<Rewriting>,
     /// Options that the texts do not have alike, by their keys, but for functions, which are told one by one.
     pub(super) options: BTreeMap<String, [Option<String>; 2]>,
     /// The models that the texts name, where these differ.
@@ -86,12 +93,10 @@ impl Report {
             held,
             forms,
             warnings: new.news(old),
-            is_edited: !are_models
-                && !is_same
-                && moved(texts).is_none()
-                && origin::have_one_input(texts),
-            is_layout_alone: !are_models && !is_same && differ_in_layout_alone(texts),
-            formats: formats(texts),
+            rewriting: lines
+                .as_ref()
+                .filter(|_| !are_models)
+                .and_then(|lines| rewriting(lines, texts)),
             options,
             moved: moved(texts),
             diff,
@@ -109,11 +114,18 @@ impl Report {
     }
 }
 
-fn differ_in_layout_alone(texts: [&str; 2]) -> bool {
-    let [old, new] = texts.map(|text| text.replace("\r\n", "\n"));
-    old == new || report::differs_in_layout_only(&old, &new)
+/// How two modules came to differ in these lines.
+fn rewriting(lines: &ChangedLines, texts: [&str; 2]) -> Option<Rewriting> {
+    if lines.are_layout() {
+        Some(Rewriting::Layout)
+    } else if moved(texts).is_none() && origin::have_one_input(texts) {
+        Some(Rewriting::ByHand)
+    } else {
+        formats(texts).map(Rewriting::Formats)
+    }
 }
 
+/// The formats of the texts, where these differ.
 fn formats(texts: [&str; 2]) -> Option<[u32; 2]> {
     let [Some(old), Some(new)] = texts.map(origin::format_of) else {
         return None;
