@@ -12,7 +12,7 @@ use crate::geometry::{self, Vector};
 const SAME_DIRECTION: f64 = 1e-15;
 
 /// What differs; nothing where all lists are empty.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Differences {
     /// Arrays whose places or their names changed.
     pub layouts: Vec<LayoutChange>,
