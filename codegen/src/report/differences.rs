@@ -12,7 +12,7 @@ use crate::geometry::{self, Vector};
 const SAME_DIRECTION: f64 = 1e-15;
 
 /// What differs; nothing where all lists are empty.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Differences {
     /// Arrays whose places or their names changed.
     pub layouts: Vec<LayoutChange>,
@@ -65,6 +65,11 @@ impl Differences {
     /// True where an array's places changed, or their names, by which code may find them.
     pub fn is_breaking(&self) -> bool {
         !self.layouts.is_empty()
+    }
+
+    /// True where no body came or went, and arrays are laid out as they were.
+    pub fn has_same_bodies(&self) -> bool {
+        self.added.is_empty() && self.removed.is_empty() && self.layouts.is_empty()
     }
 
     /// What a body of the new system was called in the old one, where that was something else.

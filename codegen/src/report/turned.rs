@@ -12,10 +12,8 @@ use crate::geometry;
 /// Joints whose axes turned by more than a right angle, seen from both of their bodies: where one of these alone has other axes, no sign changes.
 pub fn turned(old: &Outline, new: &Outline, differences: &Differences) -> Vec<Meaning> {
     let axes = |outline: &Outline, body: &str| {
-        let place = outline.bodies.iter().position(|own| own.name == body)?;
-        let axes = (*outline.axes.get(place)?)?;
-        let values = &outline.bodies[place].values;
-        Some((axes, values.get(AXIS)?.clone()))
+        let body = outline.bodies.iter().find(|own| own.name == body)?;
+        Some((body.axis?, body.values.get(AXIS)?.clone()))
     };
     let changed = new.bodies.iter().filter_map(|body| {
         let old_name = differences.old_name(&body.name).unwrap_or(&body.name);

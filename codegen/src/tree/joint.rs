@@ -239,7 +239,7 @@ impl Joint {
 
     /// The name of its coordinate or component of an angular velocity called `kind`: the joint's own name where it has one
     /// and only this.
-    pub(crate) fn name_of(&self, kind: &str, is_only: bool) -> String {
+    pub fn name_of(&self, kind: &str, is_only: bool) -> String {
         if self.is_named && is_only {
             self.identifier.clone()
         } else {

@@ -1,5 +1,6 @@
 //! What `kane diff` tells of generated text: which kind of difference it is, and what constants of modules hold.
 
+use kane_codegen::report;
 use serde_json::Value;
 
 use super::project::{Project, Ran, model, repository, system};
@@ -307,4 +308,70 @@ fn warnings_about_a_model_are_told_once_for_all_of_its_systems() {
     let ran = project.kane(&["diff", "HEAD", "--format", "markdown"]);
     let row = "| warning | `arm.urdf` | `unknown attribute 'spring'";
     assert_eq!(ran.out.matches(row).count(), 1, "{}", ran.out);
+}
+
+#[test]
+fn what_rewrites_a_long_function_is_told_where_alike_branches_differ() {
+    let old = std::fs::read_to_string(repository("tests/robots/solo12/solo12.urdf")).unwrap();
+    let [mass, heavier] = ["mass value=\"0.14853845\"", "mass value=\"0.14853846\""];
+    let project = Project::empty();
+    project.write("old.urdf", &old);
+    let told = |new: &str, options: &[&str]| {
+        project.write("new.urdf", new);
+        let function = "d(forward_dynamics)/d(q, u, tau)";
+        let all = [
+            "diff",
+            "old.urdf",
+            "new.urdf",
+            "--base",
+            "free",
+            "--functions",
+            function,
+        ];
+        project.kane(&[&all, options].concat()).out
+    };
+    // The shoulder of the first leg alone.
+    let ran = told(&old.replacen(mass, heavier, 1), &[]);
+    let (_, reasons) = ran.split_once("long functions").unwrap_or_default();
+    let (reasons, _) = reasons.split_once("\ngenerated text").unwrap_or_default();
+    insta::assert_snapshot!(reasons.lines().last().unwrap().trim(), @"changed  d_forward_dynamics_d_q_u_tau  inputs in which branches or columns differ: 21 -> 23 in lockstep_1, 112 -> 115 in lockstep_3; values are declared several at once");
+    // Those of all legs: these stay alike.
+    let ran = told(&old.replace(mass, heavier), &["--format", "json"]);
+    let said: Value = serde_json::from_str(&ran).unwrap();
+    assert_eq!(
+        (&said["same"], &said["forms"]),
+        (&false.into(), &Value::Array(Vec::new()))
+    );
+}
+
+#[test]
+fn helpers_and_stages_that_came_or_went_are_told() {
+    let module = |parts: &[&str], body: &str| {
+        let helper =
+            |name: &&str| format!("fn {name}<R>(sides: &[[R; 4]; 2]) -> [[R; 4]; 1] {{}}\n");
+        let parts: String = parts.iter().map(helper).collect();
+        format!("{parts}pub fn bias<R>() {{ {body} }}\npub fn bias_of<R>() {{}}")
+    };
+    let reasons = |old: &str, new: &str| {
+        let forms = report::forms(old, new).unwrap();
+        let told = forms.into_iter();
+        told.map(|own| format!("{}: {}", own.name, own.reasons.join("; ")))
+            .collect::<Vec<_>>()
+    };
+    let plain = module(&["bias_lockstep_1"], "");
+    let other = module(
+        &["bias_lockstep_1", "bias_lockstep_2", "bias_stage_1"],
+        "let (a, b);",
+    );
+    let said = "bias: helpers: 1 -> 2; stages: 0 -> 1; values are declared several at once";
+    assert_eq!(reasons(&plain, &other), [said]);
+    let said = "bias: helpers: 2 -> 1; stages: 1 -> 0; values are declared one by one";
+    assert_eq!(reasons(&other, &plain), [said]);
+    let fewer = plain.replace("[[R; 4]; 2]", "[[R; 3]; 2]");
+    let said = "bias: branches or columns side by side: 4 -> 3 in lockstep_1";
+    assert_eq!(reasons(&plain, &fewer), [said]);
+    // Numbers of a body are no form.
+    let edited = plain.replace("{  }", "{ let a = 1.0; }");
+    assert_ne!(edited, plain);
+    assert_eq!(reasons(&plain, &edited), [""; 0]);
 }

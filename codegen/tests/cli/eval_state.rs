@@ -359,3 +359,78 @@ fn several_functions_are_joined_by_a_plus() {
         assert_eq!(ran.code, 0, "{}", ran.err);
     }
 }
+
+#[test]
+fn angles_that_are_singular_are_told_by_their_joint() {
+    let project = Project::empty();
+    let hip = model("walker", "2.0").replace(
+        "joint = [\"theta2\"]",
+        "joint = [\"theta1\", \"theta2\", \"theta3\"]\njoint_name = \"hip\"",
+    );
+    let spinning = hip.replace("joint_name", "speeds = \"angular_velocity\"\njoint_name");
+    project.write("hip.toml", &hip);
+    project.write("spinning.toml", &spinning);
+    let told = |model: &str, function: &str, angle: f64| {
+        let state = json!({
+            "q": [0.1, 0.2, 0.3, angle, 0.4],
+            "u": [0.1, 0.2, 0.3, 0.4, 0.5],
+            "tau": [0.1, 0.2, 0.3, 0.4, 0.5],
+        });
+        let arguments = ["eval", model, "--function", function, "--state", "-"];
+        let ran = project.kane_given(&arguments, &state.to_string());
+        assert_eq!(ran.code, 0, "{ran:?}");
+        ran.err
+    };
+    let right = std::f64::consts::FRAC_PI_2;
+    let said = "warning: the angles of `hip` are singular, |cos(theta2)| is 6.1e-17: what is divided by it means nothing\n";
+    assert_eq!(told("hip.toml", "forward_dynamics", right), said);
+    assert_eq!(told("hip.toml", "forward_dynamics", 1.5), "");
+    // What divides by nothing is right there too.
+    assert_eq!(told("hip.toml", "bias", right), "");
+    // Speeds that are an angular velocity have no singularity, rates of the angles have.
+    assert_eq!(told("spinning.toml", "forward_dynamics", right), "");
+    assert_eq!(told("spinning.toml", "q_dot", right), said);
+}
+
+#[test]
+fn a_mass_matrix_that_is_singular_is_told_by_the_speed() {
+    let project = Project::empty();
+    // A point that slides along the arm of a massless hinge.
+    let text = r#"
+name = "slide"
+lower_bodies = [0, 1]
+
+[[body]]
+name = "crank"
+attachment = [0, 0, 0]
+joint = "revolute"
+axis = [0, 0, 1]
+mass = 0.0
+mass_center = [0, 0, 0]
+inertia = { xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0 }
+
+[[body]]
+name = "bead"
+attachment = [0, 0, 0]
+joint = "prismatic"
+axis = [1, 0, 0]
+mass = 1.0
+mass_center = [0, 0, 0]
+inertia = { xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0 }
+"#;
+    project.write("slide.toml", text);
+    let told = |function: &str, place: f64| {
+        let state = json!({ "q": [0.3, place], "u": [1.0, 0.5], "tau": [0.1, 0.2] });
+        let arguments = ["eval", "slide.toml", "--function", function, "--state", "-"];
+        let ran = project.kane_given(&arguments, &state.to_string());
+        assert_eq!(ran.code, 0, "{ran:?}");
+        ran.err
+    };
+    assert_eq!(
+        told("forward_dynamics", 0.0),
+        "warning: the mass matrix is not positive definite: its pivot at `crank_theta3_dot` is 0.0\n\
+         warning: 1 of 2 numbers are not finite; they are shown as null\n"
+    );
+    assert_eq!(told("forward_dynamics", 0.1), "");
+    assert_eq!(told("mass_matrix", 0.0), "");
+}

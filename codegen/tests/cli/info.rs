@@ -448,3 +448,37 @@ fn a_long_sum_is_counted_under_the_name_that_it_was_given() {
     assert!(counted(&named).contains("\n  all_of_it = ..  "));
     assert!(counted(sum).contains(&format!("\n  {sum}  ")));
 }
+
+#[test]
+fn what_acts_in_joints_is_shown_a_line_a_kind() {
+    let project = Project::empty();
+    let text = model("arm", "2.0");
+    let shown = |options: &[&str]| {
+        let ran = project.kane(&[&["info", "arm.toml", "--functions", "bias"], options].concat());
+        assert_eq!(ran.code, 0, "{ran:?}");
+        ran.out
+    };
+    project.write("arm.toml", &text);
+    assert!(!shown(&[]).contains("In joints"));
+    let spring = "stiffness = { s2 = { runtime = 3.0 } }\nrest = { s2 = 0.5 }\ndamping = 0.1\n";
+    let text = text.replace(
+        "joint = [\"theta1\"",
+        &format!("{spring}joint = [\"theta1\""),
+    );
+    project.write("arm.toml", &(text + "damping = 0.1\nfriction = 0.2\n"));
+    insta::assert_snapshot!(section(&shown(&[]), "In joints"), @"
+    stiffness: upper_s2 3.0
+    rest: upper_s2 0.5
+    damping: 0.1 each
+    friction, in no equation: fore_theta2 0.2
+    ");
+    let said: Value = serde_json::from_str(&shown(&["--json"])).unwrap();
+    let upper = &said["bodies"][0];
+    assert_eq!(upper["stiffness"], serde_json::json!({ "s2": 3.0 }));
+    assert_eq!(
+        upper["damping"],
+        serde_json::json!({ "theta1": 0.1, "s2": 0.1 })
+    );
+    assert_eq!(upper.get("armature"), None);
+    assert_eq!(said["bodies"][1].get("stiffness"), None);
+}

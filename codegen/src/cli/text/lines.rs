@@ -63,6 +63,11 @@ impl ChangedLines {
         format!("{removed} removed, {} added{functions}{only}", self.added)
     }
 
+    /// True where the texts are one text in two layouts.
+    pub(crate) fn are_layout(&self) -> bool {
+        self.only == Some(Only::Layout)
+    }
+
     /// True where no line of code changed.
     pub(crate) fn are_comments(&self) -> bool {
         self.only == Some(Only::Comments)

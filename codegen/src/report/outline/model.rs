@@ -30,18 +30,20 @@ impl Outline {
             Some(below.map_or_else(|| INERTIAL.to_owned(), |table| name(table)))
         };
         let lower_bodies = lower_bodies.into_iter().flatten();
-        let bodies = tables.iter().zip(lower_bodies).map(|(table, number)| {
+        let written = tables.iter().zip(&description.bodies);
+        let bodies = written.zip(lower_bodies).map(|((table, body), number)| {
             let mut values = Values::new();
             for (key, value) in table.iter().filter(|(key, _)| *key != "name") {
                 flatten(key, value, &mut values);
             }
             values.extend(lower(number).map(|lower| (LOWER.to_owned(), lower)));
-            let name = name(table);
-            Body { name, values }
+            Body {
+                name: name(table),
+                values,
+                axis: axis(body, tree),
+            }
         });
         let bodies = bodies.collect();
-        let axes = description.bodies.iter();
-        let axes = axes.map(|body| axis(body, tree)).collect();
         let mut values = Values::new();
         for (key, value) in &system {
             flatten(key, value, &mut values);
@@ -63,7 +65,6 @@ impl Outline {
             fingerprint: Some(origin::fingerprint(tree)),
             values,
             bodies,
-            axes,
             layouts: vec![
                 (Layout::Bodies, names.collect()),
                 (Layout::Coordinates, tree.coordinate_names()),

@@ -52,7 +52,11 @@ fn of_file(file: &File) -> Result<Outline, ModuleError> {
             values.insert("joint".to_owned(), kinds(joint));
         }
         let name = name.clone();
-        bodies.push(Body { name, values });
+        bodies.push(Body {
+            name,
+            values,
+            axis: None,
+        });
     }
     for frame in list(file, constants::FRAMES) {
         let place = field(frame, "body").and_then(some).and_then(integer);
@@ -63,6 +67,7 @@ fn of_file(file: &File) -> Result<Outline, ModuleError> {
         bodies.extend(field(frame, "name").and_then(string).map(|name| Body {
             name,
             values: values.into(),
+            axis: None,
         }));
     }
     let mut values = nominal_values(file);
@@ -72,7 +77,6 @@ fn of_file(file: &File) -> Result<Outline, ModuleError> {
         fingerprint: constant(file, constants::FINGERPRINT).and_then(integer),
         values,
         bodies,
-        axes: Vec::new(),
         layouts: vec![
             (Layout::Bodies, body_names),
             (

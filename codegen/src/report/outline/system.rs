@@ -23,19 +23,19 @@ pub struct Outline {
     pub values: Values,
     /// The bodies, in the order of the model; those that are part of others too.
     pub bodies: Vec<Body>,
-    /// For each of these bodies with a coordinate about or along an axis that axis, in the lower body's axes and in its own; empty for modules.
-    pub axes: Vec<Option<[Vector; 2]>>,
     /// Arrays that callers index, with what stands at each place.
     pub layouts: Vec<(Layout, Vec<String>)>,
 }
 
 /// A body as a comparison sees it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// Its name.
     pub name: String,
     /// What is said of it and of its joint.
     pub values: Values,
+    /// The axis about or along which its coordinate is measured, in the lower body's axes and in its own; `None` for modules, which hold none.
+    pub axis: Option<[Vector; 2]>,
 }
 
 /// Which arrays are laid out.

@@ -5,11 +5,22 @@ use std::collections::BTreeMap;
 use kane_codegen::{
     diagnostic::Diagnostics,
     origin,
-    report::{self, Comparison, Differences, Meaning, Redeclared},
+    report::{self, Comparison, Differences, FormChange, Meaning, Redeclared},
 };
 
 use super::side::Described;
 use crate::cli::{Failures, text::lines::ChangedLines, text::text_diff::TextDiff};
+
+/// How modules of one model came to differ.
+#[derive(Clone, Copy)]
+pub(super) enum Rewriting {
+    /// They are one text in two layouts.
+    Layout,
+    /// They say that they are made of the same in the same way.
+    ByHand,
+    /// Versions of the generator wrote them that have these formats.
+    Formats([u32; 2]),
+}
 
 /// What differs, and between what.
 pub(super) struct Report {
@@ -26,14 +37,12 @@ pub(super) struct Report {
     pub(super) base: Option<Meaning>,
     /// Of two modules, the arrays that hold something else.
     pub(super) held: Vec<Meaning>,
+    /// Where bodies and places are the same, long functions that are written in another form.
+    pub(super) forms: Vec<FormChange>,
     /// What should be known about the new model, and not about the old one.
     pub(super) warnings: Option<Diagnostics>,
-    /// True where the texts say that they are made of the same in the same way, and differ.
-    pub(super) is_edited: bool,
-    /// True where the texts are one text in two layouts.
-    pub(super) is_layout_alone: bool,
-    /// The formats of the texts, where these differ.
-    pub(super) formats: Option<[u32; 2]>,
+    /// How the texts came to differ, where they say it.
+    pub(super) rewriting: Option<Rewriting>,
     /// Options that the texts do not have alike, by their keys, but for functions, which are told one by one.
     pub(super) options: BTreeMap<String, [Option<String>; 2]>,
     /// The models that the texts name, where these differ.
@@ -62,6 +71,11 @@ impl Report {
         } else {
             report::held(texts[0], texts[1]).map_err(Failures::message)?
         };
+        let forms = if differences.has_same_bodies() {
+            report::forms(texts[0], texts[1]).map_err(Failures::message)?
+        } else {
+            Vec::new()
+        };
         let diff = TextDiff::new(texts[0], texts[1]);
         let is_same = texts[0] == texts[1];
         let mut options = origin::changed_options(texts);
@@ -77,13 +91,12 @@ impl Report {
             meanings,
             base,
             held,
+            forms,
             warnings: new.news(old),
-            is_edited: !are_models
-                && !is_same
-                && moved(texts).is_none()
-                && origin::have_one_input(texts),
-            is_layout_alone: !are_models && !is_same && differ_in_layout_alone(texts),
-            formats: formats(texts),
+            rewriting: lines
+                .as_ref()
+                .filter(|_| !are_models)
+                .and_then(|lines| rewriting(lines, texts)),
             options,
             moved: moved(texts),
             diff,
@@ -101,11 +114,18 @@ impl Report {
     }
 }
 
-fn differ_in_layout_alone(texts: [&str; 2]) -> bool {
-    let [old, new] = texts.map(|text| text.replace("\r\n", "\n"));
-    old == new || report::differs_in_layout_only(&old, &new)
+/// How two modules came to differ in these lines.
+fn rewriting(lines: &ChangedLines, texts: [&str; 2]) -> Option<Rewriting> {
+    if lines.are_layout() {
+        Some(Rewriting::Layout)
+    } else if moved(texts).is_none() && origin::have_one_input(texts) {
+        Some(Rewriting::ByHand)
+    } else {
+        formats(texts).map(Rewriting::Formats)
+    }
 }
 
+/// The formats of the texts, where these differ.
 fn formats(texts: [&str; 2]) -> Option<[u32; 2]> {
     let [Some(old), Some(new)] = texts.map(origin::format_of) else {
         return None;

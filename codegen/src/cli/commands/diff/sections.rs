@@ -1,10 +1,14 @@
 //! What differs, for people: in a terminal, and as tables for a pull request.
 
 use kane_codegen::report::{
-    Body, Comparison, Differences, Layout, LayoutChange, Meaning, Redeclared, ValueChange,
+    Body, Comparison, Differences, FormChange, Layout, LayoutChange, Meaning, Redeclared,
+    ValueChange,
 };
 
-use super::{report::Report, systems::Systems};
+use super::{
+    report::{Report, Rewriting},
+    systems::Systems,
+};
 use crate::cli::text::operations::{self, Row};
 
 /// How much of a diff a pull request is shown: hosts refuse texts that are too long.
@@ -157,11 +161,15 @@ fn code(text: &str) -> String {
 
 /// What two modules of one model have in common.
 fn note(report: &Report) -> Option<String> {
-    if report.is_layout_alone {
-        return Some("only the layout differs: formatted by another tool".to_owned());
-    }
-    if report.is_edited {
-        return Some("the model and all that is asked for are the same: edited by hand, or written by another version of kane".to_owned());
+    let whole = match report.rewriting {
+        Some(Rewriting::Layout) => Some("only the layout differs: formatted by another tool"),
+        Some(Rewriting::ByHand) => Some(
+            "the model and all that is asked for are the same: edited by hand, or written by another version of kane",
+        ),
+        Some(Rewriting::Formats(_)) | None => None,
+    };
+    if let Some(whole) = whole {
+        return Some(whole.to_owned());
     }
     let [old, new] = report.fingerprints;
     // Frames that only mark a place are no part of what is hashed.
@@ -173,8 +181,8 @@ fn note(report: &Report) -> Option<String> {
         Some([old, new]) if report.functions == Comparison::default() => {
             format!("the model was {old} and is {new}")
         }
-        _ => match report.formats {
-            Some([old, new]) => {
+        _ => match report.rewriting {
+            Some(Rewriting::Formats([old, new])) => {
                 let (added, removed) = (&report.functions.added, &report.functions.removed);
                 let others = if added.is_empty() && removed.is_empty() {
                     ""
@@ -183,7 +191,7 @@ fn note(report: &Report) -> Option<String> {
                 };
                 format!("written by different versions of kane, formats {old} and {new}{others}")
             }
-            None => "frames, functions or the generator differ".to_owned(),
+            _ => "frames, functions or the generator differ".to_owned(),
         },
     };
     is_same_model.then(|| format!("bodies and joints are the same: {how}"))
@@ -233,7 +241,18 @@ fn sections(report: &Report) -> Vec<Section> {
         "operations",
         operations::rows(&report.functions),
     );
+    let forms = report.forms.iter().map(form);
+    push(
+        &mut sections,
+        "long functions written in another form, which changes many lines",
+        forms.collect(),
+    );
     sections
+}
+
+fn form(change: &FormChange) -> Row {
+    let how = change.reasons.join("; ");
+    ["changed".to_owned(), change.name.clone(), how]
 }
 
 fn meaning(change: &Meaning) -> Row {

@@ -2,7 +2,7 @@
 
 use kane_codegen::{
     diagnostic::{Diagnostics, Severity},
-    report::{Body, Change, Counted, LayoutChange, Meaning, Redeclared, ValueChange},
+    report::{Body, Change, Counted, FormChange, LayoutChange, Meaning, Redeclared, ValueChange},
 };
 use serde_json::{Value, json};
 
@@ -50,6 +50,7 @@ pub(super) fn of_report(report: &Report) -> Value {
         "meanings": report.meanings.iter().map(meaning).collect::<Value>(),
         "base_parameters": report.base.as_ref().map(meaning),
         "constants": report.held.iter().map(meaning).collect::<Value>(),
+        "forms": report.forms.iter().map(form).collect::<Value>(),
         "warnings": warnings(report),
         "diff": report.diff,
     })
@@ -76,6 +77,10 @@ fn option((key, [old, new]): (&String, &[Option<String>; 2])) -> Value {
 
 fn meaning(change: &Meaning) -> Value {
     json!({ "name": change.name, "old": change.old, "new": change.new })
+}
+
+fn form(change: &FormChange) -> Value {
+    json!({ "name": change.name, "reasons": change.reasons })
 }
 
 fn layout(change: &LayoutChange) -> Value {

@@ -2,6 +2,7 @@
 
 mod by_name;
 mod place;
+mod singular;
 mod state;
 mod unique;
 mod unphysical;
@@ -153,6 +154,7 @@ pub(crate) fn run(
             )
         })
     });
+    singular::check(&plans, tree, &derived, &inputs, &numbers, voice);
     let n_infinite = numbers.iter().filter(|number| !number.is_finite()).count();
     if n_infinite > 0 {
         voice.say(format_args!(

@@ -1,6 +1,7 @@
 //! `kane info`: what is known of a model, for people (`text`), for programs (`value`), or as a drawing.
 
 mod facts;
+mod mechanics;
 mod text;
 mod value;
 
@@ -40,7 +41,8 @@ use crate::cli::{
     bodies          number, user_number (in the model), name, identifier (in code), joint, lower_body (0: inertial\n                  \
     frame), free (list of motions, theta1 or w1 .. s3), locked (object of coordinates and values, rad or m),\n                  \
     mimics (object of coordinates: coordinate, the place in q of the mimicked one, multiplier, offset),\n                  \
-    gravity_compensation (the fraction of its weight that is compensated, nominal; absent: none)\n  \
+    gravity_compensation (the fraction of its weight that is compensated, nominal; absent: none), stiffness,\n                  \
+    rest, damping, armature (objects of motions, nominal; absent: zero)\n  \
     coordinates     place (in q), name, body, kind (theta1 .. theta3, e0 .. e3, s1 .. s3), unit\n  \
     speeds          names, in the order of u\n  \
     limits          lower, upper (of coordinates), velocity, effort, friction (of speeds); null: none\n  \

@@ -13,7 +13,10 @@ use kane_codegen::{
     tree::{Frame, Order, Tree},
 };
 
-use super::facts::{Shown, gravity, is_default, is_pictured, lifted, lower_number, operations};
+use super::{
+    facts::{Shown, gravity, is_default, is_pictured, lifted, lower_number, operations},
+    mechanics,
+};
 
 /// Columns of a line.
 const WIDTH: usize = 100;
@@ -51,6 +54,7 @@ pub(super) fn write(
     write_frames(out, "Fixed to bodies, and part of them", tree, &tree.frames)?;
     write_frames(out, "Frames", tree, &tree.markers)?;
     write_coordinates(out, tree)?;
+    write_mechanics(out, tree)?;
     write_parameters(out, tree)?;
     if shown.partitions || shown.pattern.len() <= SCREEN {
         write_pattern(out, &shown.pattern)?;
@@ -186,6 +190,19 @@ fn write_wrapped(
         is_first = false;
     }
     writeln!(out, "{}", line.trim_end())
+}
+
+/// What acts in joints, a line a kind.
+fn write_mechanics(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
+    let kinds = mechanics::told(tree);
+    if kinds.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\nIn joints, with nominal values\n")?;
+    for (kind, values) in kinds {
+        write_wrapped(out, &format!("{kind}: "), values, ", ", "")?;
+    }
+    Ok(())
 }
 
 fn write_parameters(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {

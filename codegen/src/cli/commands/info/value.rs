@@ -12,7 +12,10 @@ use serde_json::{Map, Value, json};
 
 use crate::cli::text::json;
 
-use super::facts::{gravity, is_default, is_pictured, lifted, lower_number};
+use super::{
+    facts::{gravity, is_default, is_pictured, lifted, lower_number},
+    mechanics,
+};
 
 pub(super) fn value(tree: &Tree, counts: &[Counts]) -> Value {
     let order = match tree.order {
@@ -80,6 +83,9 @@ fn body_value(tree: &Tree, id: BodyId) -> Value {
     });
     if let Some(share) = lifted(tree, id) {
         value["gravity_compensation"] = share.into();
+    }
+    for (kind, values) in mechanics::of_joint(tree, joint) {
+        value[kind] = values.into();
     }
     value
 }

@@ -1,0 +1,68 @@
+//! What acts in joints: springs, dampers, rotors and friction.
+
+use kane_codegen::tree::{Joint, Mechanics, Tree};
+use serde_json::{Map, Value};
+
+/// What acts along a motion.
+type Kind = (&'static str, fn(&Tree, &Mechanics) -> f64);
+
+/// What equations have of it.
+const IN_EQUATIONS: [Kind; 4] = [
+    ("stiffness", |tree, own| tree.nominal(own.stiffness)),
+    ("rest", |tree, own| tree.nominal(own.rest)),
+    ("damping", |tree, own| tree.nominal(own.damping)),
+    ("armature", |tree, own| tree.nominal(own.armature)),
+];
+const FRICTION: Kind = ("friction, in no equation", |_, own| own.friction);
+
+/// For people: each kind with its values, as `elbow 0.1`, or `0.1 each` if all are one.
+pub(super) fn told(tree: &Tree) -> Vec<(&'static str, Vec<String>)> {
+    let joints = tree.bodies.iter().map(|body| &body.joint);
+    let all: Vec<_> = joints.flat_map(motions).collect();
+    let kinds = IN_EQUATIONS.into_iter().chain([FRICTION]);
+    let told = kinds.filter_map(|(kind, of)| {
+        let values = all.iter().map(|(name, own)| (name, of(tree, own)));
+        let values: Vec<_> = values.collect();
+        let (_, first) = values.first()?;
+        if values.iter().all(|(_, own)| *own == 0.0) {
+            return None;
+        }
+        let are_one = values
+            .iter()
+            .all(|(_, own)| own.to_bits() == first.to_bits());
+        if are_one && values.len() > 1 {
+            return Some((kind, vec![format!("{first:?} each")]));
+        }
+        let values = values.into_iter().filter(|(_, own)| *own != 0.0);
+        let values = values.map(|(name, own)| format!("{name} {own:?}"));
+        Some((kind, values.collect()))
+    });
+    told.collect()
+}
+
+/// For programs: each kind that equations have, with its values by motions.
+pub(super) fn of_joint(tree: &Tree, joint: &Joint) -> Vec<(&'static str, Map<String, Value>)> {
+    let names = joint.motion_names();
+    let moves = joint.motions();
+    let kinds = IN_EQUATIONS.into_iter().map(|(kind, of)| {
+        let all = names.into_iter().zip(moves).zip(&joint.mechanics);
+        let values = all.filter(|((_, motion), _)| motion.is_some());
+        let values = values.map(|((name, _), own)| (name.to_owned(), of(tree, own)));
+        let values = values.filter(|(_, own)| *own != 0.0);
+        (kind, values.map(|(name, own)| (name, own.into())).collect())
+    });
+    kinds
+        .filter(|(_, values): &(_, Map<_, _>)| !values.is_empty())
+        .collect()
+}
+
+/// What moves in a joint, with its name, those that follow others too.
+fn motions(joint: &Joint) -> Vec<(String, &Mechanics)> {
+    let names = joint.motion_names().into_iter().zip(joint.motions());
+    let all = names.zip(&joint.mechanics);
+    let moving: Vec<_> = all.filter(|((_, motion), _)| motion.is_some()).collect();
+    let is_only = moving.len() == 1;
+    let named = moving.into_iter();
+    let named = named.map(|((name, _), own)| (joint.name_of(name, is_only), own));
+    named.collect()
+}
