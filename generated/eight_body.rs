@@ -11459,18 +11459,24 @@ fn partial_velocity_dot_lockstep_1<R: kane::Real>(
         let left_panel_w_rel_z = left_panel_sin2 * left_panel_theta1_dot
             + left_panel_theta3_dot;
         // left_panel: partial velocities, Eqs. (15), (28), (32)
-        let left_panel_w_hub_theta1_x = left_panel_rel_xx * shared[0]
-            - left_panel_rel_xy * shared[1] + left_panel_rel_xz * shared[2];
-        let left_panel_w_hub_theta2_x = left_panel_rel_xx * shared[3]
-            + left_panel_rel_xy * shared[4];
-        let left_panel_w_hub_theta1_y = left_panel_rel_yz * shared[2]
-            - (left_panel_minus_rel_yx * shared[0] + left_panel_rel_yy * shared[1]);
-        let left_panel_w_hub_theta2_y = left_panel_rel_yy * shared[4]
-            - left_panel_minus_rel_yx * shared[3];
-        let left_panel_w_hub_theta1_z = left_panel_sin2 * shared[0]
-            + left_panel_minus_rel_zy * shared[1] + left_panel_rel_zz * shared[2];
-        let left_panel_w_hub_theta2_z = left_panel_sin2 * shared[3]
-            - left_panel_minus_rel_zy * shared[4];
+        let hub_rel_xx = shared[0];
+        let hub_minus_rel_yx = shared[1];
+        let hub_sin2 = shared[2];
+        let left_panel_w_hub_theta1_x = left_panel_rel_xx * hub_rel_xx
+            - left_panel_rel_xy * hub_minus_rel_yx + left_panel_rel_xz * hub_sin2;
+        let hub_sin3 = shared[3];
+        let hub_cos3 = shared[4];
+        let left_panel_w_hub_theta2_x = left_panel_rel_xx * hub_sin3
+            + left_panel_rel_xy * hub_cos3;
+        let left_panel_w_hub_theta1_y = left_panel_rel_yz * hub_sin2
+            - (left_panel_minus_rel_yx * hub_rel_xx
+                + left_panel_rel_yy * hub_minus_rel_yx);
+        let left_panel_w_hub_theta2_y = left_panel_rel_yy * hub_cos3
+            - left_panel_minus_rel_yx * hub_sin3;
+        let left_panel_w_hub_theta1_z = left_panel_sin2 * hub_rel_xx
+            + left_panel_minus_rel_zy * hub_minus_rel_yx + left_panel_rel_zz * hub_sin2;
+        let left_panel_w_hub_theta2_z = left_panel_sin2 * hub_sin3
+            - left_panel_minus_rel_zy * hub_cos3;
         let left_panel_s1 = sides[9][lane];
         let left_panel_side1 = sides[15][lane];
         let left_panel_offset_x = left_panel_s1 - left_panel_side1;
@@ -11480,16 +11486,16 @@ fn partial_velocity_dot_lockstep_1<R: kane::Real>(
         let left_panel_side3 = sides[17][lane];
         let left_panel_s3 = sides[11][lane];
         let left_panel_offset_z = left_panel_side3 + left_panel_s3;
-        let left_panel_minus_vo_hub_theta1_x = shared[1] * left_panel_offset_z
-            + shared[2] * left_panel_offset_y;
-        let left_panel_vo_hub_theta1_y = shared[2] * left_panel_offset_x
-            - shared[0] * left_panel_offset_z;
-        let left_panel_vo_hub_theta1_z = shared[0] * left_panel_offset_y
-            + shared[1] * left_panel_offset_x;
-        let left_panel_vo_hub_theta2_x = shared[4] * left_panel_offset_z;
-        let left_panel_minus_vo_hub_theta2_y = shared[3] * left_panel_offset_z;
-        let left_panel_vo_hub_theta2_z = shared[3] * left_panel_offset_y
-            - shared[4] * left_panel_offset_x;
+        let left_panel_minus_vo_hub_theta1_x = hub_minus_rel_yx * left_panel_offset_z
+            + hub_sin2 * left_panel_offset_y;
+        let left_panel_vo_hub_theta1_y = hub_sin2 * left_panel_offset_x
+            - hub_rel_xx * left_panel_offset_z;
+        let left_panel_vo_hub_theta1_z = hub_rel_xx * left_panel_offset_y
+            + hub_minus_rel_yx * left_panel_offset_x;
+        let left_panel_vo_hub_theta2_x = hub_cos3 * left_panel_offset_z;
+        let left_panel_minus_vo_hub_theta2_y = hub_sin3 * left_panel_offset_z;
+        let left_panel_vo_hub_theta2_z = hub_sin3 * left_panel_offset_y
+            - hub_cos3 * left_panel_offset_x;
         let left_panel_t3 = left_panel_rel_xy * left_panel_vo_hub_theta1_y
             - left_panel_rel_xx * left_panel_minus_vo_hub_theta1_x
             + left_panel_rel_xz * left_panel_vo_hub_theta1_z;
@@ -11514,18 +11520,26 @@ fn partial_velocity_dot_lockstep_1<R: kane::Real>(
             + left_panel_rel_zz * left_panel_vo_hub_theta2_z;
         let left_panel_t11 = left_panel_sin2 * left_panel_offset_y
             + left_panel_minus_rel_zy * left_panel_offset_x;
-        let left_panel_v_hub_s2_x = left_panel_rel_xx * shared[5]
-            + left_panel_rel_xy * shared[6] - left_panel_rel_xz * shared[7];
-        let left_panel_v_hub_s3_x = left_panel_rel_xx * shared[8]
-            + left_panel_rel_xy * shared[9] + left_panel_rel_xz * shared[10];
-        let left_panel_v_hub_s2_y = left_panel_rel_yy * shared[6]
-            - left_panel_minus_rel_yx * shared[5] - left_panel_rel_yz * shared[7];
-        let left_panel_v_hub_s3_y = left_panel_rel_yy * shared[9]
-            - left_panel_minus_rel_yx * shared[8] + left_panel_rel_yz * shared[10];
-        let left_panel_v_hub_s2_z = left_panel_sin2 * shared[5]
-            - left_panel_minus_rel_zy * shared[6] - left_panel_rel_zz * shared[7];
-        let left_panel_v_hub_s3_z = left_panel_sin2 * shared[8]
-            - left_panel_minus_rel_zy * shared[9] + left_panel_rel_zz * shared[10];
+        let hub_rel_xy = shared[5];
+        let hub_rel_yy = shared[6];
+        let hub_minus_rel_zy = shared[7];
+        let left_panel_v_hub_s2_x = left_panel_rel_xx * hub_rel_xy
+            + left_panel_rel_xy * hub_rel_yy - left_panel_rel_xz * hub_minus_rel_zy;
+        let hub_rel_xz = shared[8];
+        let hub_rel_yz = shared[9];
+        let hub_rel_zz = shared[10];
+        let left_panel_v_hub_s3_x = left_panel_rel_xx * hub_rel_xz
+            + left_panel_rel_xy * hub_rel_yz + left_panel_rel_xz * hub_rel_zz;
+        let left_panel_v_hub_s2_y = left_panel_rel_yy * hub_rel_yy
+            - left_panel_minus_rel_yx * hub_rel_xy
+            - left_panel_rel_yz * hub_minus_rel_zy;
+        let left_panel_v_hub_s3_y = left_panel_rel_yy * hub_rel_yz
+            - left_panel_minus_rel_yx * hub_rel_xz + left_panel_rel_yz * hub_rel_zz;
+        let left_panel_v_hub_s2_z = left_panel_sin2 * hub_rel_xy
+            - left_panel_minus_rel_zy * hub_rel_yy
+            - left_panel_rel_zz * hub_minus_rel_zy;
+        let left_panel_v_hub_s3_z = left_panel_sin2 * hub_rel_xz
+            - left_panel_minus_rel_zy * hub_rel_yz + left_panel_rel_zz * hub_rel_zz;
         // left_panel: rates of partial velocities, Eqs. (20), (33), (34)
         let left_panel_w_dot_left_panel_theta1_z = left_panel_cos2
             * left_panel_theta2_dot;
@@ -11540,18 +11554,26 @@ fn partial_velocity_dot_lockstep_1<R: kane::Real>(
         let left_panel_w_dot_left_panel_theta1_y = left_panel_sin3 * left_panel_t12
             - left_panel_cos2 * left_panel_w_dot_left_panel_theta2_x;
         solved[4][lane] = left_panel_w_dot_left_panel_theta1_y;
-        let left_panel_t13 = left_panel_rel_xy * shared[12]
-            - left_panel_rel_xx * shared[11] + left_panel_rel_xz * shared[13];
-        let left_panel_t14 = left_panel_rel_xx * shared[14]
-            - left_panel_rel_xy * shared[15];
-        let left_panel_t15 = left_panel_minus_rel_yx * shared[11]
-            + left_panel_rel_yy * shared[12] + left_panel_rel_yz * shared[13];
-        let left_panel_t16 = left_panel_minus_rel_yx * shared[14]
-            + left_panel_rel_yy * shared[15];
-        let left_panel_t17 = left_panel_rel_zz * shared[13]
-            - (left_panel_sin2 * shared[11] + left_panel_minus_rel_zy * shared[12]);
-        let left_panel_t18 = left_panel_sin2 * shared[14]
-            + left_panel_minus_rel_zy * shared[15];
+        let hub_w_dot_hub_theta1_y = shared[12];
+        let hub_minus_w_dot_hub_theta1_x = shared[11];
+        let hub_w_dot_hub_theta1_z = shared[13];
+        let left_panel_t13 = left_panel_rel_xy * hub_w_dot_hub_theta1_y
+            - left_panel_rel_xx * hub_minus_w_dot_hub_theta1_x
+            + left_panel_rel_xz * hub_w_dot_hub_theta1_z;
+        let hub_w_dot_hub_theta2_x = shared[14];
+        let hub_minus_w_dot_hub_theta2_y = shared[15];
+        let left_panel_t14 = left_panel_rel_xx * hub_w_dot_hub_theta2_x
+            - left_panel_rel_xy * hub_minus_w_dot_hub_theta2_y;
+        let left_panel_t15 = left_panel_minus_rel_yx * hub_minus_w_dot_hub_theta1_x
+            + left_panel_rel_yy * hub_w_dot_hub_theta1_y
+            + left_panel_rel_yz * hub_w_dot_hub_theta1_z;
+        let left_panel_t16 = left_panel_minus_rel_yx * hub_w_dot_hub_theta2_x
+            + left_panel_rel_yy * hub_minus_w_dot_hub_theta2_y;
+        let left_panel_t17 = left_panel_rel_zz * hub_w_dot_hub_theta1_z
+            - (left_panel_sin2 * hub_minus_w_dot_hub_theta1_x
+                + left_panel_minus_rel_zy * hub_w_dot_hub_theta1_y);
+        let left_panel_t18 = left_panel_sin2 * hub_w_dot_hub_theta2_x
+            + left_panel_minus_rel_zy * hub_minus_w_dot_hub_theta2_y;
         let left_panel_t19 = left_panel_w_rel_z * left_panel_w_hub_theta1_y
             - left_panel_w_rel_y * left_panel_w_hub_theta1_z;
         let left_panel_t20 = left_panel_w_rel_x * left_panel_w_hub_theta1_z
@@ -11581,27 +11603,26 @@ fn partial_velocity_dot_lockstep_1<R: kane::Real>(
         let left_panel_w_dot_hub_theta2_z = left_panel_t18 + left_panel_t24;
         let left_panel_s3_dot = sides[12][lane];
         let left_panel_s2_dot = sides[13][lane];
-        let left_panel_t25 = shared[1] * left_panel_s3_dot
-            + shared[2] * left_panel_s2_dot;
+        let left_panel_t25 = hub_minus_rel_yx * left_panel_s3_dot
+            + hub_sin2 * left_panel_s2_dot;
         let left_panel_s1_dot = sides[14][lane];
-        let left_panel_t26 = shared[2] * left_panel_s1_dot
-            - shared[0] * left_panel_s3_dot;
-        let left_panel_t27 = shared[0] * left_panel_s2_dot
-            + shared[1] * left_panel_s1_dot;
-        let left_panel_t28 = shared[4] * left_panel_s3_dot;
-        let left_panel_t29 = shared[3] * left_panel_s3_dot;
-        let left_panel_t30 = shared[3] * left_panel_s2_dot
-            - shared[4] * left_panel_s1_dot;
-        let left_panel_t31 = left_panel_offset_z * shared[12]
-            - left_panel_offset_y * shared[13];
-        let left_panel_t32 = left_panel_offset_x * shared[13]
-            + left_panel_offset_z * shared[11];
-        let left_panel_t33 = left_panel_offset_y * shared[11]
-            + left_panel_offset_x * shared[12];
-        let left_panel_t34 = left_panel_offset_z * shared[15];
-        let left_panel_t35 = left_panel_offset_z * shared[14];
-        let left_panel_t36 = left_panel_offset_y * shared[14]
-            + left_panel_offset_x * shared[15];
+        let left_panel_t26 = hub_sin2 * left_panel_s1_dot
+            - hub_rel_xx * left_panel_s3_dot;
+        let left_panel_t27 = hub_rel_xx * left_panel_s2_dot
+            + hub_minus_rel_yx * left_panel_s1_dot;
+        let left_panel_t28 = hub_cos3 * left_panel_s3_dot;
+        let left_panel_t29 = hub_sin3 * left_panel_s3_dot;
+        let left_panel_t30 = hub_sin3 * left_panel_s2_dot - hub_cos3 * left_panel_s1_dot;
+        let left_panel_t31 = left_panel_offset_z * hub_w_dot_hub_theta1_y
+            - left_panel_offset_y * hub_w_dot_hub_theta1_z;
+        let left_panel_t32 = left_panel_offset_x * hub_w_dot_hub_theta1_z
+            + left_panel_offset_z * hub_minus_w_dot_hub_theta1_x;
+        let left_panel_t33 = left_panel_offset_y * hub_minus_w_dot_hub_theta1_x
+            + left_panel_offset_x * hub_w_dot_hub_theta1_y;
+        let left_panel_t34 = left_panel_offset_z * hub_minus_w_dot_hub_theta2_y;
+        let left_panel_t35 = left_panel_offset_z * hub_w_dot_hub_theta2_x;
+        let left_panel_t36 = left_panel_offset_y * hub_w_dot_hub_theta2_x
+            + left_panel_offset_x * hub_minus_w_dot_hub_theta2_y;
         let left_panel_vo_dot_hub_theta1_x = left_panel_t31 - left_panel_t25;
         let left_panel_vo_dot_hub_theta2_x = left_panel_t28 - left_panel_t34;
         let left_panel_vo_dot_hub_theta1_y = left_panel_t26 + left_panel_t32;
@@ -11632,24 +11653,42 @@ fn partial_velocity_dot_lockstep_1<R: kane::Real>(
             + left_panel_rel_zz * left_panel_vo_dot_hub_theta2_z;
         let left_panel_t45 = left_panel_sin2 * left_panel_s2_dot
             + left_panel_minus_rel_zy * left_panel_s1_dot;
-        let left_panel_t46 = left_panel_rel_xy * shared[17]
-            - left_panel_rel_xx * shared[16] - left_panel_rel_xz * shared[18];
-        let left_panel_t47 = left_panel_rel_xx * shared[19]
-            - left_panel_rel_xy * shared[20] - left_panel_rel_xz * shared[21];
-        let left_panel_t48 = left_panel_rel_xx * shared[22]
-            + left_panel_rel_xy * shared[23] - left_panel_rel_xz * shared[24];
-        let left_panel_t49 = left_panel_minus_rel_yx * shared[16]
-            + left_panel_rel_yy * shared[17] - left_panel_rel_yz * shared[18];
-        let left_panel_t50 = left_panel_minus_rel_yx * shared[19]
-            + left_panel_rel_yy * shared[20] + left_panel_rel_yz * shared[21];
-        let left_panel_t51 = left_panel_rel_yy * shared[23]
-            - left_panel_minus_rel_yx * shared[22] - left_panel_rel_yz * shared[24];
-        let left_panel_t52 = left_panel_sin2 * shared[16]
-            + left_panel_minus_rel_zy * shared[17] + left_panel_rel_zz * shared[18];
-        let left_panel_t53 = left_panel_sin2 * shared[19]
-            + left_panel_minus_rel_zy * shared[20] - left_panel_rel_zz * shared[21];
-        let left_panel_t54 = left_panel_sin2 * shared[22]
-            - left_panel_minus_rel_zy * shared[23] - left_panel_rel_zz * shared[24];
+        let hub_w_dot_hub_theta1_y_ = shared[17];
+        let hub_minus_w_dot_hub_theta1_x_ = shared[16];
+        let hub_minus_w_dot_hub_theta1_z = shared[18];
+        let left_panel_t46 = left_panel_rel_xy * hub_w_dot_hub_theta1_y_
+            - left_panel_rel_xx * hub_minus_w_dot_hub_theta1_x_
+            - left_panel_rel_xz * hub_minus_w_dot_hub_theta1_z;
+        let hub_v_dot_hub_s2_x = shared[19];
+        let hub_minus_v_dot_hub_s2_y = shared[20];
+        let hub_minus_v_dot_hub_s2_z = shared[21];
+        let left_panel_t47 = left_panel_rel_xx * hub_v_dot_hub_s2_x
+            - left_panel_rel_xy * hub_minus_v_dot_hub_s2_y
+            - left_panel_rel_xz * hub_minus_v_dot_hub_s2_z;
+        let hub_v_dot_hub_s3_x = shared[22];
+        let hub_v_dot_hub_s3_y = shared[23];
+        let hub_minus_v_dot_hub_s3_z = shared[24];
+        let left_panel_t48 = left_panel_rel_xx * hub_v_dot_hub_s3_x
+            + left_panel_rel_xy * hub_v_dot_hub_s3_y
+            - left_panel_rel_xz * hub_minus_v_dot_hub_s3_z;
+        let left_panel_t49 = left_panel_minus_rel_yx * hub_minus_w_dot_hub_theta1_x_
+            + left_panel_rel_yy * hub_w_dot_hub_theta1_y_
+            - left_panel_rel_yz * hub_minus_w_dot_hub_theta1_z;
+        let left_panel_t50 = left_panel_minus_rel_yx * hub_v_dot_hub_s2_x
+            + left_panel_rel_yy * hub_minus_v_dot_hub_s2_y
+            + left_panel_rel_yz * hub_minus_v_dot_hub_s2_z;
+        let left_panel_t51 = left_panel_rel_yy * hub_v_dot_hub_s3_y
+            - left_panel_minus_rel_yx * hub_v_dot_hub_s3_x
+            - left_panel_rel_yz * hub_minus_v_dot_hub_s3_z;
+        let left_panel_t52 = left_panel_sin2 * hub_minus_w_dot_hub_theta1_x_
+            + left_panel_minus_rel_zy * hub_w_dot_hub_theta1_y_
+            + left_panel_rel_zz * hub_minus_w_dot_hub_theta1_z;
+        let left_panel_t53 = left_panel_sin2 * hub_v_dot_hub_s2_x
+            + left_panel_minus_rel_zy * hub_minus_v_dot_hub_s2_y
+            - left_panel_rel_zz * hub_minus_v_dot_hub_s2_z;
+        let left_panel_t54 = left_panel_sin2 * hub_v_dot_hub_s3_x
+            - left_panel_minus_rel_zy * hub_v_dot_hub_s3_y
+            - left_panel_rel_zz * hub_minus_v_dot_hub_s3_z;
         let left_panel_t55 = left_panel_w_rel_z * left_panel_t6
             - left_panel_w_rel_y * left_panel_t9;
         let left_panel_t56 = left_panel_w_rel_x * left_panel_t9
@@ -11831,36 +11870,58 @@ fn partial_velocity_dot_lockstep_2<R: kane::Real>(
         let forearm_theta3_dot = sides[8][lane];
         let forearm_w_rel_z = forearm_sin2 * forearm_theta1_dot + forearm_theta3_dot;
         // forearm: partial velocities, Eqs. (15), (28), (32)
-        let forearm_w_hub_theta1_x = forearm_rel_xx * shared[0]
-            - forearm_rel_xy * shared[1] + forearm_rel_xz * shared[2];
-        let forearm_w_hub_theta2_x = forearm_rel_xx * shared[3]
-            - forearm_rel_xy * shared[4] + forearm_rel_xz * shared[5];
-        let forearm_w_hub_theta3_x = forearm_rel_xx * shared[6]
-            + forearm_rel_xy * shared[7] + forearm_rel_xz * shared[8];
-        let forearm_w_hub_theta1_y = forearm_rel_yz * shared[2]
-            - (forearm_minus_rel_yx * shared[0] + forearm_rel_yy * shared[1]);
-        let forearm_w_hub_theta2_y = forearm_rel_yz * shared[5]
-            - (forearm_minus_rel_yx * shared[3] + forearm_rel_yy * shared[4]);
-        let forearm_w_hub_theta3_y = forearm_rel_yy * shared[7]
-            - forearm_minus_rel_yx * shared[6] + forearm_rel_yz * shared[8];
-        let forearm_w_hub_theta1_z = forearm_sin2 * shared[0]
-            + forearm_minus_rel_zy * shared[1] + forearm_rel_zz * shared[2];
-        let forearm_w_hub_theta2_z = forearm_sin2 * shared[3]
-            + forearm_minus_rel_zy * shared[4] + forearm_rel_zz * shared[5];
-        let forearm_w_hub_theta3_z = forearm_sin2 * shared[6]
-            - forearm_minus_rel_zy * shared[7] + forearm_rel_zz * shared[8];
-        let forearm_w_shoulder_theta1_x = forearm_rel_xx * shared[9]
-            - forearm_rel_xy * shared[10] + forearm_rel_xz * shared[11];
-        let forearm_w_shoulder_theta2_x = forearm_rel_xx * shared[12]
-            + forearm_rel_xy * shared[13];
-        let forearm_w_shoulder_theta1_y = forearm_rel_yz * shared[11]
-            - (forearm_minus_rel_yx * shared[9] + forearm_rel_yy * shared[10]);
-        let forearm_w_shoulder_theta2_y = forearm_rel_yy * shared[13]
-            - forearm_minus_rel_yx * shared[12];
-        let forearm_w_shoulder_theta1_z = forearm_sin2 * shared[9]
-            + forearm_minus_rel_zy * shared[10] + forearm_rel_zz * shared[11];
-        let forearm_w_shoulder_theta2_z = forearm_sin2 * shared[12]
-            - forearm_minus_rel_zy * shared[13];
+        let shoulder_w_hub_theta1_x = shared[0];
+        let shoulder_minus_w_hub_theta1_y = shared[1];
+        let shoulder_w_hub_theta1_z = shared[2];
+        let forearm_w_hub_theta1_x = forearm_rel_xx * shoulder_w_hub_theta1_x
+            - forearm_rel_xy * shoulder_minus_w_hub_theta1_y
+            + forearm_rel_xz * shoulder_w_hub_theta1_z;
+        let shoulder_w_hub_theta2_x = shared[3];
+        let shoulder_minus_w_hub_theta2_y = shared[4];
+        let shoulder_w_hub_theta2_z = shared[5];
+        let forearm_w_hub_theta2_x = forearm_rel_xx * shoulder_w_hub_theta2_x
+            - forearm_rel_xy * shoulder_minus_w_hub_theta2_y
+            + forearm_rel_xz * shoulder_w_hub_theta2_z;
+        let shoulder_rel_xz = shared[6];
+        let shoulder_rel_yz = shared[7];
+        let shoulder_rel_zz = shared[8];
+        let forearm_w_hub_theta3_x = forearm_rel_xx * shoulder_rel_xz
+            + forearm_rel_xy * shoulder_rel_yz + forearm_rel_xz * shoulder_rel_zz;
+        let forearm_w_hub_theta1_y = forearm_rel_yz * shoulder_w_hub_theta1_z
+            - (forearm_minus_rel_yx * shoulder_w_hub_theta1_x
+                + forearm_rel_yy * shoulder_minus_w_hub_theta1_y);
+        let forearm_w_hub_theta2_y = forearm_rel_yz * shoulder_w_hub_theta2_z
+            - (forearm_minus_rel_yx * shoulder_w_hub_theta2_x
+                + forearm_rel_yy * shoulder_minus_w_hub_theta2_y);
+        let forearm_w_hub_theta3_y = forearm_rel_yy * shoulder_rel_yz
+            - forearm_minus_rel_yx * shoulder_rel_xz + forearm_rel_yz * shoulder_rel_zz;
+        let forearm_w_hub_theta1_z = forearm_sin2 * shoulder_w_hub_theta1_x
+            + forearm_minus_rel_zy * shoulder_minus_w_hub_theta1_y
+            + forearm_rel_zz * shoulder_w_hub_theta1_z;
+        let forearm_w_hub_theta2_z = forearm_sin2 * shoulder_w_hub_theta2_x
+            + forearm_minus_rel_zy * shoulder_minus_w_hub_theta2_y
+            + forearm_rel_zz * shoulder_w_hub_theta2_z;
+        let forearm_w_hub_theta3_z = forearm_sin2 * shoulder_rel_xz
+            - forearm_minus_rel_zy * shoulder_rel_yz + forearm_rel_zz * shoulder_rel_zz;
+        let shoulder_rel_xx = shared[9];
+        let shoulder_minus_rel_yx = shared[10];
+        let shoulder_sin2 = shared[11];
+        let forearm_w_shoulder_theta1_x = forearm_rel_xx * shoulder_rel_xx
+            - forearm_rel_xy * shoulder_minus_rel_yx + forearm_rel_xz * shoulder_sin2;
+        let shoulder_sin3 = shared[12];
+        let shoulder_cos3 = shared[13];
+        let forearm_w_shoulder_theta2_x = forearm_rel_xx * shoulder_sin3
+            + forearm_rel_xy * shoulder_cos3;
+        let forearm_w_shoulder_theta1_y = forearm_rel_yz * shoulder_sin2
+            - (forearm_minus_rel_yx * shoulder_rel_xx
+                + forearm_rel_yy * shoulder_minus_rel_yx);
+        let forearm_w_shoulder_theta2_y = forearm_rel_yy * shoulder_cos3
+            - forearm_minus_rel_yx * shoulder_sin3;
+        let forearm_w_shoulder_theta1_z = forearm_sin2 * shoulder_rel_xx
+            + forearm_minus_rel_zy * shoulder_minus_rel_yx
+            + forearm_rel_zz * shoulder_sin2;
+        let forearm_w_shoulder_theta2_z = forearm_sin2 * shoulder_sin3
+            - forearm_minus_rel_zy * shoulder_cos3;
         let forearm_s1 = sides[9][lane];
         let forearm_side1 = sides[15][lane];
         let forearm_offset_x = forearm_s1 - forearm_side1;
@@ -11870,34 +11931,52 @@ fn partial_velocity_dot_lockstep_2<R: kane::Real>(
         let forearm_side3 = sides[17][lane];
         let forearm_s3 = sides[11][lane];
         let forearm_offset_z = forearm_side3 + forearm_s3;
-        let forearm_t3 = shared[1] * forearm_offset_z + shared[2] * forearm_offset_y;
-        let forearm_t4 = shared[2] * forearm_offset_x - shared[0] * forearm_offset_z;
-        let forearm_t5 = shared[0] * forearm_offset_y + shared[1] * forearm_offset_x;
-        let forearm_t6 = shared[4] * forearm_offset_z + shared[5] * forearm_offset_y;
-        let forearm_t7 = shared[5] * forearm_offset_x - shared[3] * forearm_offset_z;
-        let forearm_t8 = shared[3] * forearm_offset_y + shared[4] * forearm_offset_x;
-        let forearm_t9 = shared[7] * forearm_offset_z - shared[8] * forearm_offset_y;
-        let forearm_t10 = shared[8] * forearm_offset_x - shared[6] * forearm_offset_z;
-        let forearm_t11 = shared[6] * forearm_offset_y - shared[7] * forearm_offset_x;
-        let forearm_minus_vo_shoulder_theta1_x = shared[10] * forearm_offset_z
-            + shared[11] * forearm_offset_y;
-        let forearm_vo_shoulder_theta1_y = shared[11] * forearm_offset_x
-            - shared[9] * forearm_offset_z;
-        let forearm_vo_shoulder_theta1_z = shared[9] * forearm_offset_y
-            + shared[10] * forearm_offset_x;
-        let forearm_vo_shoulder_theta2_x = shared[13] * forearm_offset_z;
-        let forearm_minus_vo_shoulder_theta2_y = shared[12] * forearm_offset_z;
-        let forearm_vo_shoulder_theta2_z = shared[12] * forearm_offset_y
-            - shared[13] * forearm_offset_x;
-        let forearm_vo_hub_theta1_x = shared[14] - forearm_t3;
-        let forearm_minus_vo_hub_theta2_x = shared[15] + forearm_t6;
-        let forearm_vo_hub_theta3_x = shared[16] + forearm_t9;
-        let forearm_vo_hub_theta1_y = forearm_t4 - shared[17];
-        let forearm_vo_hub_theta2_y = shared[18] + forearm_t7;
-        let forearm_vo_hub_theta3_y = forearm_t10 - shared[19];
-        let forearm_vo_hub_theta1_z = shared[20] + forearm_t5;
-        let forearm_vo_hub_theta2_z = forearm_t8 - shared[21];
-        let forearm_vo_hub_theta3_z = shared[22] + forearm_t11;
+        let forearm_t3 = shoulder_minus_w_hub_theta1_y * forearm_offset_z
+            + shoulder_w_hub_theta1_z * forearm_offset_y;
+        let forearm_t4 = shoulder_w_hub_theta1_z * forearm_offset_x
+            - shoulder_w_hub_theta1_x * forearm_offset_z;
+        let forearm_t5 = shoulder_w_hub_theta1_x * forearm_offset_y
+            + shoulder_minus_w_hub_theta1_y * forearm_offset_x;
+        let forearm_t6 = shoulder_minus_w_hub_theta2_y * forearm_offset_z
+            + shoulder_w_hub_theta2_z * forearm_offset_y;
+        let forearm_t7 = shoulder_w_hub_theta2_z * forearm_offset_x
+            - shoulder_w_hub_theta2_x * forearm_offset_z;
+        let forearm_t8 = shoulder_w_hub_theta2_x * forearm_offset_y
+            + shoulder_minus_w_hub_theta2_y * forearm_offset_x;
+        let forearm_t9 = shoulder_rel_yz * forearm_offset_z
+            - shoulder_rel_zz * forearm_offset_y;
+        let forearm_t10 = shoulder_rel_zz * forearm_offset_x
+            - shoulder_rel_xz * forearm_offset_z;
+        let forearm_t11 = shoulder_rel_xz * forearm_offset_y
+            - shoulder_rel_yz * forearm_offset_x;
+        let forearm_minus_vo_shoulder_theta1_x = shoulder_minus_rel_yx * forearm_offset_z
+            + shoulder_sin2 * forearm_offset_y;
+        let forearm_vo_shoulder_theta1_y = shoulder_sin2 * forearm_offset_x
+            - shoulder_rel_xx * forearm_offset_z;
+        let forearm_vo_shoulder_theta1_z = shoulder_rel_xx * forearm_offset_y
+            + shoulder_minus_rel_yx * forearm_offset_x;
+        let forearm_vo_shoulder_theta2_x = shoulder_cos3 * forearm_offset_z;
+        let forearm_minus_vo_shoulder_theta2_y = shoulder_sin3 * forearm_offset_z;
+        let forearm_vo_shoulder_theta2_z = shoulder_sin3 * forearm_offset_y
+            - shoulder_cos3 * forearm_offset_x;
+        let forearm_shared1 = shared[14];
+        let forearm_vo_hub_theta1_x = forearm_shared1 - forearm_t3;
+        let forearm_shared2 = shared[15];
+        let forearm_minus_vo_hub_theta2_x = forearm_shared2 + forearm_t6;
+        let forearm_shared3 = shared[16];
+        let forearm_vo_hub_theta3_x = forearm_shared3 + forearm_t9;
+        let forearm_shared4 = shared[17];
+        let forearm_vo_hub_theta1_y = forearm_t4 - forearm_shared4;
+        let forearm_shared5 = shared[18];
+        let forearm_vo_hub_theta2_y = forearm_shared5 + forearm_t7;
+        let forearm_shared6 = shared[19];
+        let forearm_vo_hub_theta3_y = forearm_t10 - forearm_shared6;
+        let forearm_shared7 = shared[20];
+        let forearm_vo_hub_theta1_z = forearm_shared7 + forearm_t5;
+        let forearm_shared8 = shared[21];
+        let forearm_vo_hub_theta2_z = forearm_t8 - forearm_shared8;
+        let forearm_shared9 = shared[22];
+        let forearm_vo_hub_theta3_z = forearm_shared9 + forearm_t11;
         let forearm_t12 = forearm_rel_xx * forearm_vo_hub_theta1_x
             + forearm_rel_xy * forearm_vo_hub_theta1_y
             + forearm_rel_xz * forearm_vo_hub_theta1_z;
@@ -11949,24 +12028,41 @@ fn partial_velocity_dot_lockstep_2<R: kane::Real>(
             + forearm_rel_zz * forearm_vo_shoulder_theta2_z;
         let forearm_t29 = forearm_sin2 * forearm_offset_y
             + forearm_minus_rel_zy * forearm_offset_x;
-        let forearm_v_hub_s2_x = forearm_rel_xx * shared[23]
-            - forearm_rel_xy * shared[24] + forearm_rel_xz * shared[25];
-        let forearm_v_hub_s3_x = forearm_rel_xx * shared[26]
-            - forearm_rel_xy * shared[27] + forearm_rel_xz * shared[28];
-        let forearm_v_hub_s2_y = forearm_rel_yz * shared[25]
-            - (forearm_minus_rel_yx * shared[23] + forearm_rel_yy * shared[24]);
-        let forearm_v_hub_s3_y = forearm_rel_yz * shared[28]
-            - (forearm_minus_rel_yx * shared[26] + forearm_rel_yy * shared[27]);
-        let forearm_v_hub_s2_z = forearm_sin2 * shared[23]
-            + forearm_minus_rel_zy * shared[24] + forearm_rel_zz * shared[25];
-        let forearm_v_hub_s3_z = forearm_sin2 * shared[26]
-            + forearm_minus_rel_zy * shared[27] + forearm_rel_zz * shared[28];
-        let forearm_v_shoulder_s2_x = forearm_rel_xx * shared[29]
-            + forearm_rel_xy * shared[30] - forearm_rel_xz * shared[31];
-        let forearm_v_shoulder_s2_y = forearm_rel_yy * shared[30]
-            - forearm_minus_rel_yx * shared[29] - forearm_rel_yz * shared[31];
-        let forearm_v_shoulder_s2_z = forearm_sin2 * shared[29]
-            - forearm_minus_rel_zy * shared[30] - forearm_rel_zz * shared[31];
+        let shoulder_v_hub_s2_x = shared[23];
+        let shoulder_minus_v_hub_s2_y = shared[24];
+        let shoulder_v_hub_s2_z = shared[25];
+        let forearm_v_hub_s2_x = forearm_rel_xx * shoulder_v_hub_s2_x
+            - forearm_rel_xy * shoulder_minus_v_hub_s2_y
+            + forearm_rel_xz * shoulder_v_hub_s2_z;
+        let shoulder_v_hub_s3_x = shared[26];
+        let shoulder_minus_v_hub_s3_y = shared[27];
+        let shoulder_v_hub_s3_z = shared[28];
+        let forearm_v_hub_s3_x = forearm_rel_xx * shoulder_v_hub_s3_x
+            - forearm_rel_xy * shoulder_minus_v_hub_s3_y
+            + forearm_rel_xz * shoulder_v_hub_s3_z;
+        let forearm_v_hub_s2_y = forearm_rel_yz * shoulder_v_hub_s2_z
+            - (forearm_minus_rel_yx * shoulder_v_hub_s2_x
+                + forearm_rel_yy * shoulder_minus_v_hub_s2_y);
+        let forearm_v_hub_s3_y = forearm_rel_yz * shoulder_v_hub_s3_z
+            - (forearm_minus_rel_yx * shoulder_v_hub_s3_x
+                + forearm_rel_yy * shoulder_minus_v_hub_s3_y);
+        let forearm_v_hub_s2_z = forearm_sin2 * shoulder_v_hub_s2_x
+            + forearm_minus_rel_zy * shoulder_minus_v_hub_s2_y
+            + forearm_rel_zz * shoulder_v_hub_s2_z;
+        let forearm_v_hub_s3_z = forearm_sin2 * shoulder_v_hub_s3_x
+            + forearm_minus_rel_zy * shoulder_minus_v_hub_s3_y
+            + forearm_rel_zz * shoulder_v_hub_s3_z;
+        let shoulder_rel_xy = shared[29];
+        let shoulder_rel_yy = shared[30];
+        let shoulder_minus_rel_zy = shared[31];
+        let forearm_v_shoulder_s2_x = forearm_rel_xx * shoulder_rel_xy
+            + forearm_rel_xy * shoulder_rel_yy - forearm_rel_xz * shoulder_minus_rel_zy;
+        let forearm_v_shoulder_s2_y = forearm_rel_yy * shoulder_rel_yy
+            - forearm_minus_rel_yx * shoulder_rel_xy
+            - forearm_rel_yz * shoulder_minus_rel_zy;
+        let forearm_v_shoulder_s2_z = forearm_sin2 * shoulder_rel_xy
+            - forearm_minus_rel_zy * shoulder_rel_yy
+            - forearm_rel_zz * shoulder_minus_rel_zy;
         // forearm: rates of partial velocities, Eqs. (20), (33), (34)
         let forearm_w_dot_forearm_theta1_z = forearm_cos2 * forearm_theta2_dot;
         let forearm_t30 = forearm_sin2 * forearm_theta2_dot;
@@ -11978,34 +12074,62 @@ fn partial_velocity_dot_lockstep_2<R: kane::Real>(
         let forearm_w_dot_forearm_theta1_y = forearm_sin3 * forearm_t30
             - forearm_cos2 * forearm_w_dot_forearm_theta2_x;
         solved[7][lane] = forearm_w_dot_forearm_theta1_y;
-        let forearm_t31 = forearm_rel_xy * shared[33] - forearm_rel_xx * shared[32]
-            - forearm_rel_xz * shared[34];
-        let forearm_t32 = forearm_rel_xx * shared[35] - forearm_rel_xy * shared[36]
-            + forearm_rel_xz * shared[37];
-        let forearm_t33 = forearm_rel_xx * shared[38] + forearm_rel_xy * shared[39]
-            - forearm_rel_xz * shared[40];
-        let forearm_t34 = forearm_minus_rel_yx * shared[32] + forearm_rel_yy * shared[33]
-            - forearm_rel_yz * shared[34];
-        let forearm_t35 = forearm_rel_yz * shared[37]
-            - (forearm_minus_rel_yx * shared[35] + forearm_rel_yy * shared[36]);
-        let forearm_t36 = forearm_rel_yy * shared[39] - forearm_minus_rel_yx * shared[38]
-            - forearm_rel_yz * shared[40];
-        let forearm_t37 = forearm_sin2 * shared[32] + forearm_minus_rel_zy * shared[33]
-            + forearm_rel_zz * shared[34];
-        let forearm_t38 = forearm_sin2 * shared[35] + forearm_minus_rel_zy * shared[36]
-            + forearm_rel_zz * shared[37];
-        let forearm_t39 = forearm_sin2 * shared[38] - forearm_minus_rel_zy * shared[39]
-            - forearm_rel_zz * shared[40];
-        let forearm_t40 = forearm_rel_xy * shared[42] - forearm_rel_xx * shared[41]
-            + forearm_rel_xz * shared[43];
-        let forearm_t41 = forearm_rel_xx * shared[44] - forearm_rel_xy * shared[45];
-        let forearm_t42 = forearm_minus_rel_yx * shared[41] + forearm_rel_yy * shared[42]
-            + forearm_rel_yz * shared[43];
-        let forearm_t43 = forearm_minus_rel_yx * shared[44]
-            + forearm_rel_yy * shared[45];
-        let forearm_t44 = forearm_rel_zz * shared[43]
-            - (forearm_sin2 * shared[41] + forearm_minus_rel_zy * shared[42]);
-        let forearm_t45 = forearm_sin2 * shared[44] + forearm_minus_rel_zy * shared[45];
+        let shoulder_w_dot_hub_theta1_y = shared[33];
+        let shoulder_minus_w_dot_hub_theta1_x = shared[32];
+        let shoulder_minus_w_dot_hub_theta1_z = shared[34];
+        let forearm_t31 = forearm_rel_xy * shoulder_w_dot_hub_theta1_y
+            - forearm_rel_xx * shoulder_minus_w_dot_hub_theta1_x
+            - forearm_rel_xz * shoulder_minus_w_dot_hub_theta1_z;
+        let shoulder_w_dot_hub_theta2_x = shared[35];
+        let shoulder_minus_w_dot_hub_theta2_y = shared[36];
+        let shoulder_w_dot_hub_theta2_z = shared[37];
+        let forearm_t32 = forearm_rel_xx * shoulder_w_dot_hub_theta2_x
+            - forearm_rel_xy * shoulder_minus_w_dot_hub_theta2_y
+            + forearm_rel_xz * shoulder_w_dot_hub_theta2_z;
+        let shoulder_w_dot_hub_theta3_x = shared[38];
+        let shoulder_w_dot_hub_theta3_y = shared[39];
+        let shoulder_minus_w_dot_hub_theta3_z = shared[40];
+        let forearm_t33 = forearm_rel_xx * shoulder_w_dot_hub_theta3_x
+            + forearm_rel_xy * shoulder_w_dot_hub_theta3_y
+            - forearm_rel_xz * shoulder_minus_w_dot_hub_theta3_z;
+        let forearm_t34 = forearm_minus_rel_yx * shoulder_minus_w_dot_hub_theta1_x
+            + forearm_rel_yy * shoulder_w_dot_hub_theta1_y
+            - forearm_rel_yz * shoulder_minus_w_dot_hub_theta1_z;
+        let forearm_t35 = forearm_rel_yz * shoulder_w_dot_hub_theta2_z
+            - (forearm_minus_rel_yx * shoulder_w_dot_hub_theta2_x
+                + forearm_rel_yy * shoulder_minus_w_dot_hub_theta2_y);
+        let forearm_t36 = forearm_rel_yy * shoulder_w_dot_hub_theta3_y
+            - forearm_minus_rel_yx * shoulder_w_dot_hub_theta3_x
+            - forearm_rel_yz * shoulder_minus_w_dot_hub_theta3_z;
+        let forearm_t37 = forearm_sin2 * shoulder_minus_w_dot_hub_theta1_x
+            + forearm_minus_rel_zy * shoulder_w_dot_hub_theta1_y
+            + forearm_rel_zz * shoulder_minus_w_dot_hub_theta1_z;
+        let forearm_t38 = forearm_sin2 * shoulder_w_dot_hub_theta2_x
+            + forearm_minus_rel_zy * shoulder_minus_w_dot_hub_theta2_y
+            + forearm_rel_zz * shoulder_w_dot_hub_theta2_z;
+        let forearm_t39 = forearm_sin2 * shoulder_w_dot_hub_theta3_x
+            - forearm_minus_rel_zy * shoulder_w_dot_hub_theta3_y
+            - forearm_rel_zz * shoulder_minus_w_dot_hub_theta3_z;
+        let shoulder_w_dot_shoulder_theta1_y = shared[42];
+        let shoulder_minus_w_dot_shoulder_theta1_x = shared[41];
+        let shoulder_w_dot_shoulder_theta1_z = shared[43];
+        let forearm_t40 = forearm_rel_xy * shoulder_w_dot_shoulder_theta1_y
+            - forearm_rel_xx * shoulder_minus_w_dot_shoulder_theta1_x
+            + forearm_rel_xz * shoulder_w_dot_shoulder_theta1_z;
+        let shoulder_w_dot_shoulder_theta2_x = shared[44];
+        let shoulder_minus_w_dot_shoulder_theta2_y = shared[45];
+        let forearm_t41 = forearm_rel_xx * shoulder_w_dot_shoulder_theta2_x
+            - forearm_rel_xy * shoulder_minus_w_dot_shoulder_theta2_y;
+        let forearm_t42 = forearm_minus_rel_yx * shoulder_minus_w_dot_shoulder_theta1_x
+            + forearm_rel_yy * shoulder_w_dot_shoulder_theta1_y
+            + forearm_rel_yz * shoulder_w_dot_shoulder_theta1_z;
+        let forearm_t43 = forearm_minus_rel_yx * shoulder_w_dot_shoulder_theta2_x
+            + forearm_rel_yy * shoulder_minus_w_dot_shoulder_theta2_y;
+        let forearm_t44 = forearm_rel_zz * shoulder_w_dot_shoulder_theta1_z
+            - (forearm_sin2 * shoulder_minus_w_dot_shoulder_theta1_x
+                + forearm_minus_rel_zy * shoulder_w_dot_shoulder_theta1_y);
+        let forearm_t45 = forearm_sin2 * shoulder_w_dot_shoulder_theta2_x
+            + forearm_minus_rel_zy * shoulder_minus_w_dot_shoulder_theta2_y;
         let forearm_t46 = forearm_w_rel_z * forearm_w_hub_theta1_y
             - forearm_w_rel_y * forearm_w_hub_theta1_z;
         let forearm_t47 = forearm_w_rel_x * forearm_w_hub_theta1_z
@@ -12065,46 +12189,81 @@ fn partial_velocity_dot_lockstep_2<R: kane::Real>(
         let forearm_w_dot_shoulder_theta2_z = forearm_t45 + forearm_t60;
         let forearm_s3_dot = sides[12][lane];
         let forearm_s2_dot = sides[13][lane];
-        let forearm_t61 = shared[1] * forearm_s3_dot + shared[2] * forearm_s2_dot;
+        let forearm_t61 = shoulder_minus_w_hub_theta1_y * forearm_s3_dot
+            + shoulder_w_hub_theta1_z * forearm_s2_dot;
         let forearm_s1_dot = sides[14][lane];
-        let forearm_t62 = shared[2] * forearm_s1_dot - shared[0] * forearm_s3_dot;
-        let forearm_t63 = shared[0] * forearm_s2_dot + shared[1] * forearm_s1_dot;
-        let forearm_t64 = shared[4] * forearm_s3_dot + shared[5] * forearm_s2_dot;
-        let forearm_t65 = shared[5] * forearm_s1_dot - shared[3] * forearm_s3_dot;
-        let forearm_t66 = shared[3] * forearm_s2_dot + shared[4] * forearm_s1_dot;
-        let forearm_t67 = shared[7] * forearm_s3_dot - shared[8] * forearm_s2_dot;
-        let forearm_t68 = shared[8] * forearm_s1_dot - shared[6] * forearm_s3_dot;
-        let forearm_t69 = shared[6] * forearm_s2_dot - shared[7] * forearm_s1_dot;
-        let forearm_t70 = shared[10] * forearm_s3_dot + shared[11] * forearm_s2_dot;
-        let forearm_t71 = shared[11] * forearm_s1_dot - shared[9] * forearm_s3_dot;
-        let forearm_t72 = shared[9] * forearm_s2_dot + shared[10] * forearm_s1_dot;
-        let forearm_t73 = shared[13] * forearm_s3_dot;
-        let forearm_t74 = shared[12] * forearm_s3_dot;
-        let forearm_t75 = shared[12] * forearm_s2_dot - shared[13] * forearm_s1_dot;
-        let forearm_t76 = forearm_offset_z * shared[33] + forearm_offset_y * shared[34];
-        let forearm_t77 = forearm_offset_z * shared[32] - forearm_offset_x * shared[34];
-        let forearm_t78 = forearm_offset_y * shared[32] + forearm_offset_x * shared[33];
-        let forearm_t79 = forearm_offset_z * shared[36] + forearm_offset_y * shared[37];
-        let forearm_t80 = forearm_offset_x * shared[37] - forearm_offset_z * shared[35];
-        let forearm_t81 = forearm_offset_y * shared[35] + forearm_offset_x * shared[36];
-        let forearm_t82 = forearm_offset_z * shared[39] + forearm_offset_y * shared[40];
-        let forearm_t83 = forearm_offset_x * shared[40] + forearm_offset_z * shared[38];
-        let forearm_t84 = forearm_offset_y * shared[38] - forearm_offset_x * shared[39];
-        let forearm_t85 = forearm_offset_z * shared[42] - forearm_offset_y * shared[43];
-        let forearm_t86 = forearm_offset_x * shared[43] + forearm_offset_z * shared[41];
-        let forearm_t87 = forearm_offset_y * shared[41] + forearm_offset_x * shared[42];
-        let forearm_t88 = forearm_offset_z * shared[45];
-        let forearm_t89 = forearm_offset_z * shared[44];
-        let forearm_t90 = forearm_offset_y * shared[44] + forearm_offset_x * shared[45];
-        let forearm_t91 = shared[46] + forearm_t61;
-        let forearm_t92 = shared[47] - forearm_t64;
-        let forearm_t93 = forearm_t67 - shared[48];
-        let forearm_t94 = shared[49] + forearm_t62;
-        let forearm_t95 = forearm_t65 - shared[50];
-        let forearm_t96 = shared[51] + forearm_t68;
-        let forearm_t97 = forearm_t63 - shared[52];
-        let forearm_t98 = shared[53] + forearm_t66;
-        let forearm_t99 = forearm_t69 - shared[54];
+        let forearm_t62 = shoulder_w_hub_theta1_z * forearm_s1_dot
+            - shoulder_w_hub_theta1_x * forearm_s3_dot;
+        let forearm_t63 = shoulder_w_hub_theta1_x * forearm_s2_dot
+            + shoulder_minus_w_hub_theta1_y * forearm_s1_dot;
+        let forearm_t64 = shoulder_minus_w_hub_theta2_y * forearm_s3_dot
+            + shoulder_w_hub_theta2_z * forearm_s2_dot;
+        let forearm_t65 = shoulder_w_hub_theta2_z * forearm_s1_dot
+            - shoulder_w_hub_theta2_x * forearm_s3_dot;
+        let forearm_t66 = shoulder_w_hub_theta2_x * forearm_s2_dot
+            + shoulder_minus_w_hub_theta2_y * forearm_s1_dot;
+        let forearm_t67 = shoulder_rel_yz * forearm_s3_dot
+            - shoulder_rel_zz * forearm_s2_dot;
+        let forearm_t68 = shoulder_rel_zz * forearm_s1_dot
+            - shoulder_rel_xz * forearm_s3_dot;
+        let forearm_t69 = shoulder_rel_xz * forearm_s2_dot
+            - shoulder_rel_yz * forearm_s1_dot;
+        let forearm_t70 = shoulder_minus_rel_yx * forearm_s3_dot
+            + shoulder_sin2 * forearm_s2_dot;
+        let forearm_t71 = shoulder_sin2 * forearm_s1_dot
+            - shoulder_rel_xx * forearm_s3_dot;
+        let forearm_t72 = shoulder_rel_xx * forearm_s2_dot
+            + shoulder_minus_rel_yx * forearm_s1_dot;
+        let forearm_t73 = shoulder_cos3 * forearm_s3_dot;
+        let forearm_t74 = shoulder_sin3 * forearm_s3_dot;
+        let forearm_t75 = shoulder_sin3 * forearm_s2_dot
+            - shoulder_cos3 * forearm_s1_dot;
+        let forearm_t76 = forearm_offset_z * shoulder_w_dot_hub_theta1_y
+            + forearm_offset_y * shoulder_minus_w_dot_hub_theta1_z;
+        let forearm_t77 = forearm_offset_z * shoulder_minus_w_dot_hub_theta1_x
+            - forearm_offset_x * shoulder_minus_w_dot_hub_theta1_z;
+        let forearm_t78 = forearm_offset_y * shoulder_minus_w_dot_hub_theta1_x
+            + forearm_offset_x * shoulder_w_dot_hub_theta1_y;
+        let forearm_t79 = forearm_offset_z * shoulder_minus_w_dot_hub_theta2_y
+            + forearm_offset_y * shoulder_w_dot_hub_theta2_z;
+        let forearm_t80 = forearm_offset_x * shoulder_w_dot_hub_theta2_z
+            - forearm_offset_z * shoulder_w_dot_hub_theta2_x;
+        let forearm_t81 = forearm_offset_y * shoulder_w_dot_hub_theta2_x
+            + forearm_offset_x * shoulder_minus_w_dot_hub_theta2_y;
+        let forearm_t82 = forearm_offset_z * shoulder_w_dot_hub_theta3_y
+            + forearm_offset_y * shoulder_minus_w_dot_hub_theta3_z;
+        let forearm_t83 = forearm_offset_x * shoulder_minus_w_dot_hub_theta3_z
+            + forearm_offset_z * shoulder_w_dot_hub_theta3_x;
+        let forearm_t84 = forearm_offset_y * shoulder_w_dot_hub_theta3_x
+            - forearm_offset_x * shoulder_w_dot_hub_theta3_y;
+        let forearm_t85 = forearm_offset_z * shoulder_w_dot_shoulder_theta1_y
+            - forearm_offset_y * shoulder_w_dot_shoulder_theta1_z;
+        let forearm_t86 = forearm_offset_x * shoulder_w_dot_shoulder_theta1_z
+            + forearm_offset_z * shoulder_minus_w_dot_shoulder_theta1_x;
+        let forearm_t87 = forearm_offset_y * shoulder_minus_w_dot_shoulder_theta1_x
+            + forearm_offset_x * shoulder_w_dot_shoulder_theta1_y;
+        let forearm_t88 = forearm_offset_z * shoulder_minus_w_dot_shoulder_theta2_y;
+        let forearm_t89 = forearm_offset_z * shoulder_w_dot_shoulder_theta2_x;
+        let forearm_t90 = forearm_offset_y * shoulder_w_dot_shoulder_theta2_x
+            + forearm_offset_x * shoulder_minus_w_dot_shoulder_theta2_y;
+        let forearm_shared10 = shared[46];
+        let forearm_t91 = forearm_shared10 + forearm_t61;
+        let forearm_shared11 = shared[47];
+        let forearm_t92 = forearm_shared11 - forearm_t64;
+        let forearm_shared12 = shared[48];
+        let forearm_t93 = forearm_t67 - forearm_shared12;
+        let forearm_shared13 = shared[49];
+        let forearm_t94 = forearm_shared13 + forearm_t62;
+        let forearm_shared14 = shared[50];
+        let forearm_t95 = forearm_t65 - forearm_shared14;
+        let forearm_shared15 = shared[51];
+        let forearm_t96 = forearm_shared15 + forearm_t68;
+        let forearm_shared16 = shared[52];
+        let forearm_t97 = forearm_t63 - forearm_shared16;
+        let forearm_shared17 = shared[53];
+        let forearm_t98 = forearm_shared17 + forearm_t66;
+        let forearm_shared18 = shared[54];
+        let forearm_t99 = forearm_t69 - forearm_shared18;
         let forearm_vo_dot_hub_theta1_x = forearm_t76 - forearm_t91;
         let forearm_vo_dot_hub_theta2_x = forearm_t92 - forearm_t79;
         let forearm_vo_dot_hub_theta3_x = forearm_t82 + forearm_t93;
@@ -12171,36 +12330,66 @@ fn partial_velocity_dot_lockstep_2<R: kane::Real>(
             + forearm_rel_zz * forearm_vo_dot_shoulder_theta2_z;
         let forearm_t117 = forearm_sin2 * forearm_s2_dot
             + forearm_minus_rel_zy * forearm_s1_dot;
-        let forearm_t118 = forearm_rel_xy * shared[56] - forearm_rel_xx * shared[55]
-            - forearm_rel_xz * shared[57];
-        let forearm_t119 = forearm_rel_xx * shared[58] - forearm_rel_xy * shared[59]
-            + forearm_rel_xz * shared[60];
-        let forearm_t120 = forearm_rel_xx * shared[61] - forearm_rel_xy * shared[62]
-            + forearm_rel_xz * shared[63];
-        let forearm_t121 = forearm_minus_rel_yx * shared[55]
-            + forearm_rel_yy * shared[56] - forearm_rel_yz * shared[57];
-        let forearm_t122 = forearm_rel_yz * shared[60]
-            - (forearm_minus_rel_yx * shared[58] + forearm_rel_yy * shared[59]);
-        let forearm_t123 = forearm_rel_yz * shared[63]
-            - (forearm_minus_rel_yx * shared[61] + forearm_rel_yy * shared[62]);
-        let forearm_t124 = forearm_sin2 * shared[55] + forearm_minus_rel_zy * shared[56]
-            + forearm_rel_zz * shared[57];
-        let forearm_t125 = forearm_sin2 * shared[58] + forearm_minus_rel_zy * shared[59]
-            + forearm_rel_zz * shared[60];
-        let forearm_t126 = forearm_sin2 * shared[61] + forearm_minus_rel_zy * shared[62]
-            + forearm_rel_zz * shared[63];
-        let forearm_t127 = forearm_rel_xy * shared[65] - forearm_rel_xx * shared[64]
-            - forearm_rel_xz * shared[66];
-        let forearm_t128 = forearm_rel_xx * shared[67] - forearm_rel_xy * shared[68]
-            - forearm_rel_xz * shared[69];
-        let forearm_t129 = forearm_minus_rel_yx * shared[64]
-            + forearm_rel_yy * shared[65] - forearm_rel_yz * shared[66];
-        let forearm_t130 = forearm_minus_rel_yx * shared[67]
-            + forearm_rel_yy * shared[68] + forearm_rel_yz * shared[69];
-        let forearm_t131 = forearm_sin2 * shared[64] + forearm_minus_rel_zy * shared[65]
-            + forearm_rel_zz * shared[66];
-        let forearm_t132 = forearm_sin2 * shared[67] + forearm_minus_rel_zy * shared[68]
-            - forearm_rel_zz * shared[69];
+        let shoulder_w_dot_hub_theta1_y_ = shared[56];
+        let shoulder_minus_w_dot_hub_theta1_x_ = shared[55];
+        let shoulder_minus_w_dot_hub_theta1_z_ = shared[57];
+        let forearm_t118 = forearm_rel_xy * shoulder_w_dot_hub_theta1_y_
+            - forearm_rel_xx * shoulder_minus_w_dot_hub_theta1_x_
+            - forearm_rel_xz * shoulder_minus_w_dot_hub_theta1_z_;
+        let shoulder_v_dot_hub_s2_x = shared[58];
+        let shoulder_minus_v_dot_hub_s2_y = shared[59];
+        let shoulder_v_dot_hub_s2_z = shared[60];
+        let forearm_t119 = forearm_rel_xx * shoulder_v_dot_hub_s2_x
+            - forearm_rel_xy * shoulder_minus_v_dot_hub_s2_y
+            + forearm_rel_xz * shoulder_v_dot_hub_s2_z;
+        let shoulder_v_dot_hub_s3_x = shared[61];
+        let shoulder_minus_v_dot_hub_s3_y = shared[62];
+        let shoulder_v_dot_hub_s3_z = shared[63];
+        let forearm_t120 = forearm_rel_xx * shoulder_v_dot_hub_s3_x
+            - forearm_rel_xy * shoulder_minus_v_dot_hub_s3_y
+            + forearm_rel_xz * shoulder_v_dot_hub_s3_z;
+        let forearm_t121 = forearm_minus_rel_yx * shoulder_minus_w_dot_hub_theta1_x_
+            + forearm_rel_yy * shoulder_w_dot_hub_theta1_y_
+            - forearm_rel_yz * shoulder_minus_w_dot_hub_theta1_z_;
+        let forearm_t122 = forearm_rel_yz * shoulder_v_dot_hub_s2_z
+            - (forearm_minus_rel_yx * shoulder_v_dot_hub_s2_x
+                + forearm_rel_yy * shoulder_minus_v_dot_hub_s2_y);
+        let forearm_t123 = forearm_rel_yz * shoulder_v_dot_hub_s3_z
+            - (forearm_minus_rel_yx * shoulder_v_dot_hub_s3_x
+                + forearm_rel_yy * shoulder_minus_v_dot_hub_s3_y);
+        let forearm_t124 = forearm_sin2 * shoulder_minus_w_dot_hub_theta1_x_
+            + forearm_minus_rel_zy * shoulder_w_dot_hub_theta1_y_
+            + forearm_rel_zz * shoulder_minus_w_dot_hub_theta1_z_;
+        let forearm_t125 = forearm_sin2 * shoulder_v_dot_hub_s2_x
+            + forearm_minus_rel_zy * shoulder_minus_v_dot_hub_s2_y
+            + forearm_rel_zz * shoulder_v_dot_hub_s2_z;
+        let forearm_t126 = forearm_sin2 * shoulder_v_dot_hub_s3_x
+            + forearm_minus_rel_zy * shoulder_minus_v_dot_hub_s3_y
+            + forearm_rel_zz * shoulder_v_dot_hub_s3_z;
+        let shoulder_w_dot_shoulder_theta1_y_ = shared[65];
+        let shoulder_minus_w_dot_shoulder_theta1_x_ = shared[64];
+        let shoulder_minus_w_dot_shoulder_theta1_z = shared[66];
+        let forearm_t127 = forearm_rel_xy * shoulder_w_dot_shoulder_theta1_y_
+            - forearm_rel_xx * shoulder_minus_w_dot_shoulder_theta1_x_
+            - forearm_rel_xz * shoulder_minus_w_dot_shoulder_theta1_z;
+        let shoulder_v_dot_shoulder_s2_x = shared[67];
+        let shoulder_minus_v_dot_shoulder_s2_y = shared[68];
+        let shoulder_minus_v_dot_shoulder_s2_z = shared[69];
+        let forearm_t128 = forearm_rel_xx * shoulder_v_dot_shoulder_s2_x
+            - forearm_rel_xy * shoulder_minus_v_dot_shoulder_s2_y
+            - forearm_rel_xz * shoulder_minus_v_dot_shoulder_s2_z;
+        let forearm_t129 = forearm_minus_rel_yx * shoulder_minus_w_dot_shoulder_theta1_x_
+            + forearm_rel_yy * shoulder_w_dot_shoulder_theta1_y_
+            - forearm_rel_yz * shoulder_minus_w_dot_shoulder_theta1_z;
+        let forearm_t130 = forearm_minus_rel_yx * shoulder_v_dot_shoulder_s2_x
+            + forearm_rel_yy * shoulder_minus_v_dot_shoulder_s2_y
+            + forearm_rel_yz * shoulder_minus_v_dot_shoulder_s2_z;
+        let forearm_t131 = forearm_sin2 * shoulder_minus_w_dot_shoulder_theta1_x_
+            + forearm_minus_rel_zy * shoulder_w_dot_shoulder_theta1_y_
+            + forearm_rel_zz * shoulder_minus_w_dot_shoulder_theta1_z;
+        let forearm_t132 = forearm_sin2 * shoulder_v_dot_shoulder_s2_x
+            + forearm_minus_rel_zy * shoulder_minus_v_dot_shoulder_s2_y
+            - forearm_rel_zz * shoulder_minus_v_dot_shoulder_s2_z;
         let forearm_t133 = forearm_w_rel_z * forearm_t15 - forearm_w_rel_y * forearm_t18;
         let forearm_t134 = forearm_w_rel_x * forearm_t18 - forearm_w_rel_z * forearm_t12;
         let forearm_t135 = forearm_w_rel_y * forearm_t12 - forearm_w_rel_x * forearm_t15;
@@ -16350,83 +16539,89 @@ fn mass_matrix_lockstep_1<R: kane::Real>(
             - (left_panel_offset_y * left_panel_t11
                 - left_panel_offset_x * left_panel_s1_n_hub_z);
         solved[24][lane] = left_panel_composite_on_lower_xy;
-        let left_panel_t56 = left_panel_theta3_f_hub_x * shared[0]
-            - left_panel_theta3_f_hub_y * shared[1];
-        let left_panel_t57 = left_panel_theta3_f_hub_y * shared[0]
-            + left_panel_theta3_f_hub_x * shared[1];
-        let left_panel_t58 = left_panel_theta3_n_hub_x * shared[0]
-            - left_panel_theta3_n_hub_y * shared[1];
-        let left_panel_t59 = -(left_panel_theta3_n_hub_y * shared[0]
-            + left_panel_theta3_n_hub_x * shared[1]);
+        let hub_cos3 = shared[0];
+        let hub_sin3 = shared[1];
+        let left_panel_t56 = left_panel_theta3_f_hub_x * hub_cos3
+            - left_panel_theta3_f_hub_y * hub_sin3;
+        let left_panel_t57 = left_panel_theta3_f_hub_y * hub_cos3
+            + left_panel_theta3_f_hub_x * hub_sin3;
+        let left_panel_t58 = left_panel_theta3_n_hub_x * hub_cos3
+            - left_panel_theta3_n_hub_y * hub_sin3;
+        let left_panel_t59 = -(left_panel_theta3_n_hub_y * hub_cos3
+            + left_panel_theta3_n_hub_x * hub_sin3);
         solved[25][lane] = left_panel_t59;
-        let left_panel_t60 = left_panel_theta2_f_hub_x * shared[0]
-            - left_panel_theta2_f_hub_y * shared[1];
-        let left_panel_t61 = left_panel_theta2_f_hub_y * shared[0]
-            + left_panel_theta2_f_hub_x * shared[1];
-        let left_panel_t62 = left_panel_theta2_n_hub_x * shared[0]
-            - left_panel_theta2_n_hub_y * shared[1];
-        let left_panel_t63 = left_panel_theta2_n_hub_y * shared[0]
-            + left_panel_theta2_n_hub_x * shared[1];
+        let left_panel_t60 = left_panel_theta2_f_hub_x * hub_cos3
+            - left_panel_theta2_f_hub_y * hub_sin3;
+        let left_panel_t61 = left_panel_theta2_f_hub_y * hub_cos3
+            + left_panel_theta2_f_hub_x * hub_sin3;
+        let left_panel_t62 = left_panel_theta2_n_hub_x * hub_cos3
+            - left_panel_theta2_n_hub_y * hub_sin3;
+        let left_panel_t63 = left_panel_theta2_n_hub_y * hub_cos3
+            + left_panel_theta2_n_hub_x * hub_sin3;
         solved[26][lane] = left_panel_t63;
-        let left_panel_t64 = left_panel_theta1_f_hub_y * shared[1];
-        let left_panel_t65 = left_panel_theta1_f_hub_y * shared[0];
-        let left_panel_t66 = left_panel_theta1_n_hub_x * shared[0]
-            - left_panel_theta1_n_hub_y * shared[1];
-        let left_panel_t67 = left_panel_theta1_n_hub_y * shared[0]
-            + left_panel_theta1_n_hub_x * shared[1];
+        let left_panel_t64 = left_panel_theta1_f_hub_y * hub_sin3;
+        let left_panel_t65 = left_panel_theta1_f_hub_y * hub_cos3;
+        let left_panel_t66 = left_panel_theta1_n_hub_x * hub_cos3
+            - left_panel_theta1_n_hub_y * hub_sin3;
+        let left_panel_t67 = left_panel_theta1_n_hub_y * hub_cos3
+            + left_panel_theta1_n_hub_x * hub_sin3;
         solved[27][lane] = left_panel_t67;
-        let left_panel_t68 = -(left_panel_s1_n_hub_y * shared[1]);
+        let left_panel_t68 = -(left_panel_s1_n_hub_y * hub_sin3);
         solved[28][lane] = left_panel_t68;
-        let left_panel_t69 = -(left_panel_s1_n_hub_y * shared[0]);
+        let left_panel_t69 = -(left_panel_s1_n_hub_y * hub_cos3);
         solved[29][lane] = left_panel_t69;
-        let left_panel_t70 = left_panel_s2_n_hub_z * shared[1]
-            - left_panel_s1_n_hub_z * shared[0];
-        let left_panel_t71 = -(left_panel_s2_n_hub_z * shared[0]
-            + left_panel_s1_n_hub_z * shared[1]);
+        let left_panel_t70 = left_panel_s2_n_hub_z * hub_sin3
+            - left_panel_s1_n_hub_z * hub_cos3;
+        let left_panel_t71 = -(left_panel_s2_n_hub_z * hub_cos3
+            + left_panel_s1_n_hub_z * hub_sin3);
         solved[30][lane] = left_panel_t71;
-        let left_panel_t72 = left_panel_theta3_f_hub_z * shared[2]
-            - left_panel_t56 * shared[3];
-        let left_panel_t73 = left_panel_t56 * shared[2]
-            + left_panel_theta3_f_hub_z * shared[3];
+        let hub_cos2 = shared[2];
+        let hub_sin2 = shared[3];
+        let left_panel_t72 = left_panel_theta3_f_hub_z * hub_cos2
+            - left_panel_t56 * hub_sin2;
+        let left_panel_t73 = left_panel_t56 * hub_cos2
+            + left_panel_theta3_f_hub_z * hub_sin2;
         solved[31][lane] = left_panel_t73;
-        let left_panel_t74 = -(left_panel_t58 * shared[2]
-            + left_panel_theta3_n_hub_z * shared[3]);
+        let left_panel_t74 = -(left_panel_t58 * hub_cos2
+            + left_panel_theta3_n_hub_z * hub_sin2);
         solved[32][lane] = left_panel_t74;
-        let left_panel_t75 = left_panel_theta2_f_hub_z * shared[2]
-            - left_panel_t60 * shared[3];
-        let left_panel_t76 = -(left_panel_t60 * shared[2]
-            + left_panel_theta2_f_hub_z * shared[3]);
+        let left_panel_t75 = left_panel_theta2_f_hub_z * hub_cos2
+            - left_panel_t60 * hub_sin2;
+        let left_panel_t76 = -(left_panel_t60 * hub_cos2
+            + left_panel_theta2_f_hub_z * hub_sin2);
         solved[33][lane] = left_panel_t76;
-        let left_panel_t77 = left_panel_t62 * shared[2]
-            + left_panel_theta2_n_hub_z * shared[3];
+        let left_panel_t77 = left_panel_t62 * hub_cos2
+            + left_panel_theta2_n_hub_z * hub_sin2;
         solved[34][lane] = left_panel_t77;
-        let left_panel_t78 = left_panel_theta1_f_hub_z * shared[2]
-            + left_panel_t64 * shared[3];
-        let left_panel_t79 = left_panel_t64 * shared[2]
-            - left_panel_theta1_f_hub_z * shared[3];
+        let left_panel_t78 = left_panel_theta1_f_hub_z * hub_cos2
+            + left_panel_t64 * hub_sin2;
+        let left_panel_t79 = left_panel_t64 * hub_cos2
+            - left_panel_theta1_f_hub_z * hub_sin2;
         solved[35][lane] = left_panel_t79;
-        let left_panel_t80 = left_panel_t66 * shared[2]
-            + left_panel_theta1_n_hub_z * shared[3];
+        let left_panel_t80 = left_panel_t66 * hub_cos2
+            + left_panel_theta1_n_hub_z * hub_sin2;
         solved[36][lane] = left_panel_t80;
-        let left_panel_t81 = left_panel_t68 * shared[2]
-            + left_panel_s1_n_hub_z * shared[3];
+        let left_panel_t81 = left_panel_t68 * hub_cos2
+            + left_panel_s1_n_hub_z * hub_sin2;
         solved[37][lane] = left_panel_t81;
-        let left_panel_t82 = left_panel_t69 * shared[2]
-            + left_panel_s2_n_hub_z * shared[3];
+        let left_panel_t82 = left_panel_t69 * hub_cos2
+            + left_panel_s2_n_hub_z * hub_sin2;
         solved[38][lane] = left_panel_t82;
-        let left_panel_t83 = -(left_panel_t70 * shared[2]);
+        let left_panel_t83 = -(left_panel_t70 * hub_cos2);
         solved[39][lane] = left_panel_t83;
-        let left_panel_t84 = left_panel_t72 * shared[5] - left_panel_t57 * shared[4];
+        let hub_sin1 = shared[5];
+        let hub_cos1 = shared[4];
+        let left_panel_t84 = left_panel_t72 * hub_sin1 - left_panel_t57 * hub_cos1;
         solved[40][lane] = left_panel_t84;
-        let left_panel_t85 = -(left_panel_t72 * shared[4] + left_panel_t57 * shared[5]);
+        let left_panel_t85 = -(left_panel_t72 * hub_cos1 + left_panel_t57 * hub_sin1);
         solved[41][lane] = left_panel_t85;
-        let left_panel_t86 = left_panel_t75 * shared[5] - left_panel_t61 * shared[4];
+        let left_panel_t86 = left_panel_t75 * hub_sin1 - left_panel_t61 * hub_cos1;
         solved[42][lane] = left_panel_t86;
-        let left_panel_t87 = left_panel_t75 * shared[4] + left_panel_t61 * shared[5];
+        let left_panel_t87 = left_panel_t75 * hub_cos1 + left_panel_t61 * hub_sin1;
         solved[43][lane] = left_panel_t87;
-        let left_panel_t88 = left_panel_t65 * shared[4] - left_panel_t78 * shared[5];
+        let left_panel_t88 = left_panel_t65 * hub_cos1 - left_panel_t78 * hub_sin1;
         solved[44][lane] = left_panel_t88;
-        let left_panel_t89 = -(left_panel_t78 * shared[4] + left_panel_t65 * shared[5]);
+        let left_panel_t89 = -(left_panel_t78 * hub_cos1 + left_panel_t65 * hub_sin1);
         solved[45][lane] = left_panel_t89;
     }
     solved
@@ -16604,129 +16799,148 @@ fn mass_matrix_lockstep_2<R: kane::Real>(
             - (forearm_offset_y * forearm_t11
                 - forearm_offset_x * forearm_s1_n_shoulder_z);
         solved[24][lane] = forearm_composite_on_lower_xy;
-        let forearm_t56 = forearm_theta3_f_shoulder_x * shared[0]
-            - forearm_theta3_f_shoulder_y * shared[1];
-        let forearm_t57 = forearm_theta3_f_shoulder_y * shared[0]
-            + forearm_theta3_f_shoulder_x * shared[1];
-        let forearm_t58 = forearm_theta3_n_shoulder_x * shared[0]
-            - forearm_theta3_n_shoulder_y * shared[1];
-        let forearm_t59 = forearm_theta3_n_shoulder_y * shared[0]
-            + forearm_theta3_n_shoulder_x * shared[1];
+        let shoulder_cos3 = shared[0];
+        let shoulder_sin3 = shared[1];
+        let forearm_t56 = forearm_theta3_f_shoulder_x * shoulder_cos3
+            - forearm_theta3_f_shoulder_y * shoulder_sin3;
+        let forearm_t57 = forearm_theta3_f_shoulder_y * shoulder_cos3
+            + forearm_theta3_f_shoulder_x * shoulder_sin3;
+        let forearm_t58 = forearm_theta3_n_shoulder_x * shoulder_cos3
+            - forearm_theta3_n_shoulder_y * shoulder_sin3;
+        let forearm_t59 = forearm_theta3_n_shoulder_y * shoulder_cos3
+            + forearm_theta3_n_shoulder_x * shoulder_sin3;
         solved[25][lane] = forearm_t59;
-        let forearm_t60 = forearm_theta2_f_shoulder_x * shared[0]
-            - forearm_theta2_f_shoulder_y * shared[1];
-        let forearm_t61 = forearm_theta2_f_shoulder_y * shared[0]
-            + forearm_theta2_f_shoulder_x * shared[1];
-        let forearm_t62 = forearm_theta2_n_shoulder_x * shared[0]
-            - forearm_theta2_n_shoulder_y * shared[1];
-        let forearm_t63 = forearm_theta2_n_shoulder_y * shared[0]
-            + forearm_theta2_n_shoulder_x * shared[1];
+        let forearm_t60 = forearm_theta2_f_shoulder_x * shoulder_cos3
+            - forearm_theta2_f_shoulder_y * shoulder_sin3;
+        let forearm_t61 = forearm_theta2_f_shoulder_y * shoulder_cos3
+            + forearm_theta2_f_shoulder_x * shoulder_sin3;
+        let forearm_t62 = forearm_theta2_n_shoulder_x * shoulder_cos3
+            - forearm_theta2_n_shoulder_y * shoulder_sin3;
+        let forearm_t63 = forearm_theta2_n_shoulder_y * shoulder_cos3
+            + forearm_theta2_n_shoulder_x * shoulder_sin3;
         solved[26][lane] = forearm_t63;
-        let forearm_t64 = forearm_theta1_f_shoulder_y * shared[1];
-        let forearm_t65 = forearm_theta1_f_shoulder_y * shared[0];
-        let forearm_t66 = forearm_theta1_n_shoulder_x * shared[0]
-            - forearm_theta1_n_shoulder_y * shared[1];
-        let forearm_t67 = forearm_theta1_n_shoulder_y * shared[0]
-            + forearm_theta1_n_shoulder_x * shared[1];
+        let forearm_t64 = forearm_theta1_f_shoulder_y * shoulder_sin3;
+        let forearm_t65 = forearm_theta1_f_shoulder_y * shoulder_cos3;
+        let forearm_t66 = forearm_theta1_n_shoulder_x * shoulder_cos3
+            - forearm_theta1_n_shoulder_y * shoulder_sin3;
+        let forearm_t67 = forearm_theta1_n_shoulder_y * shoulder_cos3
+            + forearm_theta1_n_shoulder_x * shoulder_sin3;
         solved[27][lane] = forearm_t67;
-        let forearm_t68 = forearm_s1_n_shoulder_y * shared[1];
+        let forearm_t68 = forearm_s1_n_shoulder_y * shoulder_sin3;
         solved[28][lane] = forearm_t68;
-        let forearm_t69 = forearm_s1_n_shoulder_y * shared[0];
+        let forearm_t69 = forearm_s1_n_shoulder_y * shoulder_cos3;
         solved[29][lane] = forearm_t69;
-        let forearm_t70 = forearm_s2_n_shoulder_z * shared[1]
-            - forearm_s1_n_shoulder_z * shared[0];
-        let forearm_t71 = -(forearm_s2_n_shoulder_z * shared[0]
-            + forearm_s1_n_shoulder_z * shared[1]);
+        let forearm_t70 = forearm_s2_n_shoulder_z * shoulder_sin3
+            - forearm_s1_n_shoulder_z * shoulder_cos3;
+        let forearm_t71 = -(forearm_s2_n_shoulder_z * shoulder_cos3
+            + forearm_s1_n_shoulder_z * shoulder_sin3);
         solved[30][lane] = forearm_t71;
-        let forearm_t72 = forearm_theta3_f_shoulder_z * shared[2]
-            - forearm_t56 * shared[3];
-        let forearm_theta3_f_hub_x = forearm_t56 * shared[2]
-            + forearm_theta3_f_shoulder_z * shared[3];
+        let shoulder_cos2 = shared[2];
+        let shoulder_sin2 = shared[3];
+        let forearm_t72 = forearm_theta3_f_shoulder_z * shoulder_cos2
+            - forearm_t56 * shoulder_sin2;
+        let forearm_theta3_f_hub_x = forearm_t56 * shoulder_cos2
+            + forearm_theta3_f_shoulder_z * shoulder_sin2;
         solved[31][lane] = forearm_theta3_f_hub_x;
-        let forearm_t73 = forearm_theta3_n_shoulder_z * shared[2]
-            - forearm_t58 * shared[3];
-        let forearm_t74 = forearm_t58 * shared[2]
-            + forearm_theta3_n_shoulder_z * shared[3];
+        let forearm_t73 = forearm_theta3_n_shoulder_z * shoulder_cos2
+            - forearm_t58 * shoulder_sin2;
+        let forearm_t74 = forearm_t58 * shoulder_cos2
+            + forearm_theta3_n_shoulder_z * shoulder_sin2;
         solved[32][lane] = forearm_t74;
-        let forearm_t75 = forearm_theta2_f_shoulder_z * shared[2]
-            - forearm_t60 * shared[3];
-        let forearm_theta2_f_hub_x = forearm_t60 * shared[2]
-            + forearm_theta2_f_shoulder_z * shared[3];
+        let forearm_t75 = forearm_theta2_f_shoulder_z * shoulder_cos2
+            - forearm_t60 * shoulder_sin2;
+        let forearm_theta2_f_hub_x = forearm_t60 * shoulder_cos2
+            + forearm_theta2_f_shoulder_z * shoulder_sin2;
         solved[33][lane] = forearm_theta2_f_hub_x;
-        let forearm_t76 = forearm_theta2_n_shoulder_z * shared[2]
-            - forearm_t62 * shared[3];
-        let forearm_t77 = forearm_t62 * shared[2]
-            + forearm_theta2_n_shoulder_z * shared[3];
+        let forearm_t76 = forearm_theta2_n_shoulder_z * shoulder_cos2
+            - forearm_t62 * shoulder_sin2;
+        let forearm_t77 = forearm_t62 * shoulder_cos2
+            + forearm_theta2_n_shoulder_z * shoulder_sin2;
         solved[34][lane] = forearm_t77;
-        let forearm_t78 = forearm_theta1_f_shoulder_z * shared[2]
-            + forearm_t64 * shared[3];
-        let forearm_theta1_f_hub_x = forearm_theta1_f_shoulder_z * shared[3]
-            - forearm_t64 * shared[2];
+        let forearm_t78 = forearm_theta1_f_shoulder_z * shoulder_cos2
+            + forearm_t64 * shoulder_sin2;
+        let forearm_theta1_f_hub_x = forearm_theta1_f_shoulder_z * shoulder_sin2
+            - forearm_t64 * shoulder_cos2;
         solved[35][lane] = forearm_theta1_f_hub_x;
-        let forearm_t79 = forearm_theta1_n_shoulder_z * shared[2]
-            - forearm_t66 * shared[3];
-        let forearm_t80 = forearm_t66 * shared[2]
-            + forearm_theta1_n_shoulder_z * shared[3];
+        let forearm_t79 = forearm_theta1_n_shoulder_z * shoulder_cos2
+            - forearm_t66 * shoulder_sin2;
+        let forearm_t80 = forearm_t66 * shoulder_cos2
+            + forearm_theta1_n_shoulder_z * shoulder_sin2;
         solved[36][lane] = forearm_t80;
-        let forearm_t81 = forearm_s1_n_shoulder_z * shared[2] + forearm_t68 * shared[3];
-        let forearm_t82 = forearm_t68 * shared[2] - forearm_s1_n_shoulder_z * shared[3];
+        let forearm_t81 = forearm_s1_n_shoulder_z * shoulder_cos2
+            + forearm_t68 * shoulder_sin2;
+        let forearm_t82 = forearm_t68 * shoulder_cos2
+            - forearm_s1_n_shoulder_z * shoulder_sin2;
         solved[37][lane] = forearm_t82;
-        let forearm_t83 = forearm_s2_n_shoulder_z * shared[2] + forearm_t69 * shared[3];
-        let forearm_t84 = forearm_t69 * shared[2] - forearm_s2_n_shoulder_z * shared[3];
+        let forearm_t83 = forearm_s2_n_shoulder_z * shoulder_cos2
+            + forearm_t69 * shoulder_sin2;
+        let forearm_t84 = forearm_t69 * shoulder_cos2
+            - forearm_s2_n_shoulder_z * shoulder_sin2;
         solved[38][lane] = forearm_t84;
-        let forearm_t85 = forearm_t70 * shared[3];
-        let forearm_t86 = -(forearm_t70 * shared[2]);
+        let forearm_t85 = forearm_t70 * shoulder_sin2;
+        let forearm_t86 = -(forearm_t70 * shoulder_cos2);
         solved[39][lane] = forearm_t86;
-        let forearm_theta3_f_hub_y = forearm_t57 * shared[4] - forearm_t72 * shared[5];
+        let shoulder_cos1 = shared[4];
+        let shoulder_sin1 = shared[5];
+        let forearm_theta3_f_hub_y = forearm_t57 * shoulder_cos1
+            - forearm_t72 * shoulder_sin1;
         solved[40][lane] = -forearm_theta3_f_hub_y;
-        let forearm_theta3_f_hub_z = forearm_t72 * shared[4] + forearm_t57 * shared[5];
+        let forearm_theta3_f_hub_z = forearm_t72 * shoulder_cos1
+            + forearm_t57 * shoulder_sin1;
         solved[41][lane] = -forearm_theta3_f_hub_z;
-        let forearm_t87 = forearm_t59 * shared[4] - forearm_t73 * shared[5];
-        let forearm_t88 = forearm_t73 * shared[4] + forearm_t59 * shared[5];
-        let forearm_theta2_f_hub_y = forearm_t61 * shared[4] - forearm_t75 * shared[5];
+        let forearm_t87 = forearm_t59 * shoulder_cos1 - forearm_t73 * shoulder_sin1;
+        let forearm_t88 = forearm_t73 * shoulder_cos1 + forearm_t59 * shoulder_sin1;
+        let forearm_theta2_f_hub_y = forearm_t61 * shoulder_cos1
+            - forearm_t75 * shoulder_sin1;
         solved[42][lane] = -forearm_theta2_f_hub_y;
-        let forearm_theta2_f_hub_z = forearm_t75 * shared[4] + forearm_t61 * shared[5];
+        let forearm_theta2_f_hub_z = forearm_t75 * shoulder_cos1
+            + forearm_t61 * shoulder_sin1;
         solved[43][lane] = forearm_theta2_f_hub_z;
-        let forearm_t89 = forearm_t63 * shared[4] - forearm_t76 * shared[5];
-        let forearm_t90 = forearm_t76 * shared[4] + forearm_t63 * shared[5];
-        let forearm_theta1_f_hub_y = forearm_t65 * shared[4] - forearm_t78 * shared[5];
+        let forearm_t89 = forearm_t63 * shoulder_cos1 - forearm_t76 * shoulder_sin1;
+        let forearm_t90 = forearm_t76 * shoulder_cos1 + forearm_t63 * shoulder_sin1;
+        let forearm_theta1_f_hub_y = forearm_t65 * shoulder_cos1
+            - forearm_t78 * shoulder_sin1;
         solved[44][lane] = -forearm_theta1_f_hub_y;
-        let forearm_theta1_f_hub_z = forearm_t78 * shared[4] + forearm_t65 * shared[5];
+        let forearm_theta1_f_hub_z = forearm_t78 * shoulder_cos1
+            + forearm_t65 * shoulder_sin1;
         solved[45][lane] = -forearm_theta1_f_hub_z;
-        let forearm_t91 = forearm_t67 * shared[4] - forearm_t79 * shared[5];
-        let forearm_t92 = forearm_t79 * shared[4] + forearm_t67 * shared[5];
-        let forearm_t93 = forearm_t69 * shared[4] - forearm_t81 * shared[5];
-        let forearm_t94 = forearm_t81 * shared[4] + forearm_t69 * shared[5];
-        let forearm_t95 = forearm_t68 * shared[4] + forearm_t83 * shared[5];
-        let forearm_t96 = forearm_t83 * shared[4] - forearm_t68 * shared[5];
-        let forearm_t97 = forearm_t71 * shared[4] + forearm_t85 * shared[5];
-        let forearm_t98 = forearm_t71 * shared[5] - forearm_t85 * shared[4];
-        let forearm_t99 = forearm_theta3_f_hub_y * shared[7]
-            - forearm_theta3_f_hub_z * shared[6];
-        let forearm_t100 = forearm_theta3_f_hub_z * shared[8]
-            - forearm_theta3_f_hub_x * shared[7];
-        let forearm_t101 = forearm_theta3_f_hub_x * shared[6]
-            - forearm_theta3_f_hub_y * shared[8];
+        let forearm_t91 = forearm_t67 * shoulder_cos1 - forearm_t79 * shoulder_sin1;
+        let forearm_t92 = forearm_t79 * shoulder_cos1 + forearm_t67 * shoulder_sin1;
+        let forearm_t93 = forearm_t69 * shoulder_cos1 - forearm_t81 * shoulder_sin1;
+        let forearm_t94 = forearm_t81 * shoulder_cos1 + forearm_t69 * shoulder_sin1;
+        let forearm_t95 = forearm_t68 * shoulder_cos1 + forearm_t83 * shoulder_sin1;
+        let forearm_t96 = forearm_t83 * shoulder_cos1 - forearm_t68 * shoulder_sin1;
+        let forearm_t97 = forearm_t71 * shoulder_cos1 + forearm_t85 * shoulder_sin1;
+        let forearm_t98 = forearm_t71 * shoulder_sin1 - forearm_t85 * shoulder_cos1;
+        let shoulder_minus_offset_z = shared[7];
+        let shoulder_minus_offset_y = shared[6];
+        let forearm_t99 = forearm_theta3_f_hub_y * shoulder_minus_offset_z
+            - forearm_theta3_f_hub_z * shoulder_minus_offset_y;
+        let shoulder_minus_offset_x = shared[8];
+        let forearm_t100 = forearm_theta3_f_hub_z * shoulder_minus_offset_x
+            - forearm_theta3_f_hub_x * shoulder_minus_offset_z;
+        let forearm_t101 = forearm_theta3_f_hub_x * shoulder_minus_offset_y
+            - forearm_theta3_f_hub_y * shoulder_minus_offset_x;
         let forearm_theta3_n_hub_x = forearm_t74 + forearm_t99;
         let forearm_theta3_n_hub_y = forearm_t87 + forearm_t100;
         let forearm_theta3_n_hub_z = forearm_t88 + forearm_t101;
         solved[46][lane] = forearm_theta3_n_hub_z;
-        let forearm_t102 = forearm_theta2_f_hub_y * shared[7]
-            - forearm_theta2_f_hub_z * shared[6];
-        let forearm_t103 = forearm_theta2_f_hub_z * shared[8]
-            - forearm_theta2_f_hub_x * shared[7];
-        let forearm_t104 = forearm_theta2_f_hub_x * shared[6]
-            - forearm_theta2_f_hub_y * shared[8];
+        let forearm_t102 = forearm_theta2_f_hub_y * shoulder_minus_offset_z
+            - forearm_theta2_f_hub_z * shoulder_minus_offset_y;
+        let forearm_t103 = forearm_theta2_f_hub_z * shoulder_minus_offset_x
+            - forearm_theta2_f_hub_x * shoulder_minus_offset_z;
+        let forearm_t104 = forearm_theta2_f_hub_x * shoulder_minus_offset_y
+            - forearm_theta2_f_hub_y * shoulder_minus_offset_x;
         let forearm_theta2_n_hub_x = forearm_t77 + forearm_t102;
         let forearm_theta2_n_hub_y = forearm_t89 + forearm_t103;
         let forearm_theta2_n_hub_z = forearm_t90 + forearm_t104;
         solved[47][lane] = forearm_theta2_n_hub_z;
-        let forearm_t105 = forearm_theta1_f_hub_y * shared[7]
-            - forearm_theta1_f_hub_z * shared[6];
-        let forearm_t106 = forearm_theta1_f_hub_z * shared[8]
-            - forearm_theta1_f_hub_x * shared[7];
-        let forearm_t107 = forearm_theta1_f_hub_x * shared[6]
-            - forearm_theta1_f_hub_y * shared[8];
+        let forearm_t105 = forearm_theta1_f_hub_y * shoulder_minus_offset_z
+            - forearm_theta1_f_hub_z * shoulder_minus_offset_y;
+        let forearm_t106 = forearm_theta1_f_hub_z * shoulder_minus_offset_x
+            - forearm_theta1_f_hub_x * shoulder_minus_offset_z;
+        let forearm_t107 = forearm_theta1_f_hub_x * shoulder_minus_offset_y
+            - forearm_theta1_f_hub_y * shoulder_minus_offset_x;
         let forearm_theta1_n_hub_x = forearm_t80 + forearm_t105;
         let forearm_theta1_n_hub_y = forearm_t91 + forearm_t106;
         let forearm_theta1_n_hub_z = forearm_t92 + forearm_t107;
@@ -16752,90 +16966,84 @@ fn mass_matrix_lockstep_2<R: kane::Real>(
         let forearm_side9 = sides[17][lane];
         let forearm_s3_n_hub_z = forearm_t98 + forearm_side9;
         solved[51][lane] = forearm_s3_n_hub_z;
-        let forearm_t108 = forearm_theta3_f_hub_x * shared[9]
-            - forearm_theta3_f_hub_y * shared[10];
-        let forearm_t109 = forearm_theta3_f_hub_y * shared[9]
-            + forearm_theta3_f_hub_x * shared[10];
-        let forearm_t110 = forearm_theta3_n_hub_x * shared[9]
-            - forearm_theta3_n_hub_y * shared[10];
-        let forearm_t111 = forearm_theta3_n_hub_y * shared[9]
-            + forearm_theta3_n_hub_x * shared[10];
+        let hub_cos3 = shared[9];
+        let hub_sin3 = shared[10];
+        let forearm_t108 = forearm_theta3_f_hub_x * hub_cos3
+            - forearm_theta3_f_hub_y * hub_sin3;
+        let forearm_t109 = forearm_theta3_f_hub_y * hub_cos3
+            + forearm_theta3_f_hub_x * hub_sin3;
+        let forearm_t110 = forearm_theta3_n_hub_x * hub_cos3
+            - forearm_theta3_n_hub_y * hub_sin3;
+        let forearm_t111 = forearm_theta3_n_hub_y * hub_cos3
+            + forearm_theta3_n_hub_x * hub_sin3;
         solved[52][lane] = forearm_t111;
-        let forearm_t112 = forearm_theta2_f_hub_x * shared[9]
-            - forearm_theta2_f_hub_y * shared[10];
-        let forearm_t113 = forearm_theta2_f_hub_y * shared[9]
-            + forearm_theta2_f_hub_x * shared[10];
-        let forearm_t114 = forearm_theta2_n_hub_x * shared[9]
-            - forearm_theta2_n_hub_y * shared[10];
-        let forearm_t115 = forearm_theta2_n_hub_y * shared[9]
-            + forearm_theta2_n_hub_x * shared[10];
+        let forearm_t112 = forearm_theta2_f_hub_x * hub_cos3
+            - forearm_theta2_f_hub_y * hub_sin3;
+        let forearm_t113 = forearm_theta2_f_hub_y * hub_cos3
+            + forearm_theta2_f_hub_x * hub_sin3;
+        let forearm_t114 = forearm_theta2_n_hub_x * hub_cos3
+            - forearm_theta2_n_hub_y * hub_sin3;
+        let forearm_t115 = forearm_theta2_n_hub_y * hub_cos3
+            + forearm_theta2_n_hub_x * hub_sin3;
         solved[53][lane] = forearm_t115;
-        let forearm_t116 = forearm_theta1_f_hub_x * shared[9]
-            - forearm_theta1_f_hub_y * shared[10];
-        let forearm_t117 = forearm_theta1_f_hub_y * shared[9]
-            + forearm_theta1_f_hub_x * shared[10];
-        let forearm_t118 = forearm_theta1_n_hub_x * shared[9]
-            - forearm_theta1_n_hub_y * shared[10];
-        let forearm_t119 = forearm_theta1_n_hub_y * shared[9]
-            + forearm_theta1_n_hub_x * shared[10];
+        let forearm_t116 = forearm_theta1_f_hub_x * hub_cos3
+            - forearm_theta1_f_hub_y * hub_sin3;
+        let forearm_t117 = forearm_theta1_f_hub_y * hub_cos3
+            + forearm_theta1_f_hub_x * hub_sin3;
+        let forearm_t118 = forearm_theta1_n_hub_x * hub_cos3
+            - forearm_theta1_n_hub_y * hub_sin3;
+        let forearm_t119 = forearm_theta1_n_hub_y * hub_cos3
+            + forearm_theta1_n_hub_x * hub_sin3;
         solved[54][lane] = forearm_t119;
-        let forearm_t120 = forearm_s1_n_hub_x * shared[9]
-            - forearm_s1_n_hub_y * shared[10];
-        let forearm_t121 = forearm_s1_n_hub_y * shared[9]
-            + forearm_s1_n_hub_x * shared[10];
+        let forearm_t120 = forearm_s1_n_hub_x * hub_cos3 - forearm_s1_n_hub_y * hub_sin3;
+        let forearm_t121 = forearm_s1_n_hub_y * hub_cos3 + forearm_s1_n_hub_x * hub_sin3;
         solved[55][lane] = forearm_t121;
-        let forearm_t122 = forearm_minus_s2_n_hub_x * shared[9]
-            + forearm_s2_n_hub_y * shared[10];
-        let forearm_t123 = forearm_minus_s2_n_hub_x * shared[10]
-            - forearm_s2_n_hub_y * shared[9];
+        let forearm_t122 = forearm_minus_s2_n_hub_x * hub_cos3
+            + forearm_s2_n_hub_y * hub_sin3;
+        let forearm_t123 = forearm_minus_s2_n_hub_x * hub_sin3
+            - forearm_s2_n_hub_y * hub_cos3;
         solved[56][lane] = forearm_t123;
-        let forearm_t124 = forearm_minus_s3_n_hub_x * shared[9]
-            + forearm_s3_n_hub_y * shared[10];
-        let forearm_t125 = forearm_s3_n_hub_y * shared[9]
-            - forearm_minus_s3_n_hub_x * shared[10];
+        let forearm_t124 = forearm_minus_s3_n_hub_x * hub_cos3
+            + forearm_s3_n_hub_y * hub_sin3;
+        let forearm_t125 = forearm_s3_n_hub_y * hub_cos3
+            - forearm_minus_s3_n_hub_x * hub_sin3;
         solved[57][lane] = forearm_t125;
-        let forearm_t126 = forearm_theta3_f_hub_z * shared[11]
-            - forearm_t108 * shared[12];
-        let forearm_t127 = forearm_t108 * shared[11]
-            + forearm_theta3_f_hub_z * shared[12];
+        let hub_cos2 = shared[11];
+        let hub_sin2 = shared[12];
+        let forearm_t126 = forearm_theta3_f_hub_z * hub_cos2 - forearm_t108 * hub_sin2;
+        let forearm_t127 = forearm_t108 * hub_cos2 + forearm_theta3_f_hub_z * hub_sin2;
         solved[58][lane] = forearm_t127;
-        let forearm_t128 = forearm_t110 * shared[11]
-            + forearm_theta3_n_hub_z * shared[12];
+        let forearm_t128 = forearm_t110 * hub_cos2 + forearm_theta3_n_hub_z * hub_sin2;
         solved[59][lane] = forearm_t128;
-        let forearm_t129 = forearm_theta2_f_hub_z * shared[11]
-            - forearm_t112 * shared[12];
-        let forearm_t130 = forearm_t112 * shared[11]
-            + forearm_theta2_f_hub_z * shared[12];
+        let forearm_t129 = forearm_theta2_f_hub_z * hub_cos2 - forearm_t112 * hub_sin2;
+        let forearm_t130 = forearm_t112 * hub_cos2 + forearm_theta2_f_hub_z * hub_sin2;
         solved[60][lane] = forearm_t130;
-        let forearm_t131 = forearm_t114 * shared[11]
-            + forearm_theta2_n_hub_z * shared[12];
+        let forearm_t131 = forearm_t114 * hub_cos2 + forearm_theta2_n_hub_z * hub_sin2;
         solved[61][lane] = forearm_t131;
-        let forearm_t132 = forearm_theta1_f_hub_z * shared[11]
-            - forearm_t116 * shared[12];
-        let forearm_t133 = forearm_t116 * shared[11]
-            + forearm_theta1_f_hub_z * shared[12];
+        let forearm_t132 = forearm_theta1_f_hub_z * hub_cos2 - forearm_t116 * hub_sin2;
+        let forearm_t133 = forearm_t116 * hub_cos2 + forearm_theta1_f_hub_z * hub_sin2;
         solved[62][lane] = forearm_t133;
-        let forearm_t134 = forearm_t118 * shared[11]
-            + forearm_theta1_n_hub_z * shared[12];
+        let forearm_t134 = forearm_t118 * hub_cos2 + forearm_theta1_n_hub_z * hub_sin2;
         solved[63][lane] = forearm_t134;
-        let forearm_t135 = -(forearm_t120 * shared[11]
-            + forearm_s1_n_hub_z * shared[12]);
+        let forearm_t135 = -(forearm_t120 * hub_cos2 + forearm_s1_n_hub_z * hub_sin2);
         solved[64][lane] = forearm_t135;
-        let forearm_t136 = forearm_t122 * shared[11] - forearm_s2_n_hub_z * shared[12];
+        let forearm_t136 = forearm_t122 * hub_cos2 - forearm_s2_n_hub_z * hub_sin2;
         solved[65][lane] = forearm_t136;
-        let forearm_t137 = forearm_t124 * shared[11] - forearm_s3_n_hub_z * shared[12];
+        let forearm_t137 = forearm_t124 * hub_cos2 - forearm_s3_n_hub_z * hub_sin2;
         solved[66][lane] = forearm_t137;
-        let forearm_t138 = forearm_t126 * shared[14] - forearm_t109 * shared[13];
+        let hub_sin1 = shared[14];
+        let hub_cos1 = shared[13];
+        let forearm_t138 = forearm_t126 * hub_sin1 - forearm_t109 * hub_cos1;
         solved[67][lane] = forearm_t138;
-        let forearm_t139 = -(forearm_t126 * shared[13] + forearm_t109 * shared[14]);
+        let forearm_t139 = -(forearm_t126 * hub_cos1 + forearm_t109 * hub_sin1);
         solved[68][lane] = forearm_t139;
-        let forearm_t140 = forearm_t129 * shared[14] - forearm_t113 * shared[13];
+        let forearm_t140 = forearm_t129 * hub_sin1 - forearm_t113 * hub_cos1;
         solved[69][lane] = forearm_t140;
-        let forearm_t141 = forearm_t129 * shared[13] + forearm_t113 * shared[14];
+        let forearm_t141 = forearm_t129 * hub_cos1 + forearm_t113 * hub_sin1;
         solved[70][lane] = forearm_t141;
-        let forearm_t142 = forearm_t132 * shared[14] - forearm_t117 * shared[13];
+        let forearm_t142 = forearm_t132 * hub_sin1 - forearm_t117 * hub_cos1;
         solved[71][lane] = forearm_t142;
-        let forearm_t143 = -(forearm_t132 * shared[13] + forearm_t117 * shared[14]);
+        let forearm_t143 = -(forearm_t132 * hub_cos1 + forearm_t117 * hub_sin1);
         solved[72][lane] = forearm_t143;
     }
     solved
@@ -20540,83 +20748,89 @@ fn mass_matrix_packed_lockstep_1<R: kane::Real>(
             - (left_panel_offset_y * left_panel_t11
                 - left_panel_offset_x * left_panel_s1_n_hub_z);
         solved[24][lane] = left_panel_composite_on_lower_xy;
-        let left_panel_t56 = left_panel_theta3_f_hub_x * shared[0]
-            - left_panel_theta3_f_hub_y * shared[1];
-        let left_panel_t57 = left_panel_theta3_f_hub_y * shared[0]
-            + left_panel_theta3_f_hub_x * shared[1];
-        let left_panel_t58 = left_panel_theta3_n_hub_x * shared[0]
-            - left_panel_theta3_n_hub_y * shared[1];
-        let left_panel_t59 = -(left_panel_theta3_n_hub_y * shared[0]
-            + left_panel_theta3_n_hub_x * shared[1]);
+        let hub_cos3 = shared[0];
+        let hub_sin3 = shared[1];
+        let left_panel_t56 = left_panel_theta3_f_hub_x * hub_cos3
+            - left_panel_theta3_f_hub_y * hub_sin3;
+        let left_panel_t57 = left_panel_theta3_f_hub_y * hub_cos3
+            + left_panel_theta3_f_hub_x * hub_sin3;
+        let left_panel_t58 = left_panel_theta3_n_hub_x * hub_cos3
+            - left_panel_theta3_n_hub_y * hub_sin3;
+        let left_panel_t59 = -(left_panel_theta3_n_hub_y * hub_cos3
+            + left_panel_theta3_n_hub_x * hub_sin3);
         solved[25][lane] = left_panel_t59;
-        let left_panel_t60 = left_panel_theta2_f_hub_x * shared[0]
-            - left_panel_theta2_f_hub_y * shared[1];
-        let left_panel_t61 = left_panel_theta2_f_hub_y * shared[0]
-            + left_panel_theta2_f_hub_x * shared[1];
-        let left_panel_t62 = left_panel_theta2_n_hub_x * shared[0]
-            - left_panel_theta2_n_hub_y * shared[1];
-        let left_panel_t63 = left_panel_theta2_n_hub_y * shared[0]
-            + left_panel_theta2_n_hub_x * shared[1];
+        let left_panel_t60 = left_panel_theta2_f_hub_x * hub_cos3
+            - left_panel_theta2_f_hub_y * hub_sin3;
+        let left_panel_t61 = left_panel_theta2_f_hub_y * hub_cos3
+            + left_panel_theta2_f_hub_x * hub_sin3;
+        let left_panel_t62 = left_panel_theta2_n_hub_x * hub_cos3
+            - left_panel_theta2_n_hub_y * hub_sin3;
+        let left_panel_t63 = left_panel_theta2_n_hub_y * hub_cos3
+            + left_panel_theta2_n_hub_x * hub_sin3;
         solved[26][lane] = left_panel_t63;
-        let left_panel_t64 = left_panel_theta1_f_hub_y * shared[1];
-        let left_panel_t65 = left_panel_theta1_f_hub_y * shared[0];
-        let left_panel_t66 = left_panel_theta1_n_hub_x * shared[0]
-            - left_panel_theta1_n_hub_y * shared[1];
-        let left_panel_t67 = left_panel_theta1_n_hub_y * shared[0]
-            + left_panel_theta1_n_hub_x * shared[1];
+        let left_panel_t64 = left_panel_theta1_f_hub_y * hub_sin3;
+        let left_panel_t65 = left_panel_theta1_f_hub_y * hub_cos3;
+        let left_panel_t66 = left_panel_theta1_n_hub_x * hub_cos3
+            - left_panel_theta1_n_hub_y * hub_sin3;
+        let left_panel_t67 = left_panel_theta1_n_hub_y * hub_cos3
+            + left_panel_theta1_n_hub_x * hub_sin3;
         solved[27][lane] = left_panel_t67;
-        let left_panel_t68 = -(left_panel_s1_n_hub_y * shared[1]);
+        let left_panel_t68 = -(left_panel_s1_n_hub_y * hub_sin3);
         solved[28][lane] = left_panel_t68;
-        let left_panel_t69 = -(left_panel_s1_n_hub_y * shared[0]);
+        let left_panel_t69 = -(left_panel_s1_n_hub_y * hub_cos3);
         solved[29][lane] = left_panel_t69;
-        let left_panel_t70 = left_panel_s2_n_hub_z * shared[1]
-            - left_panel_s1_n_hub_z * shared[0];
-        let left_panel_t71 = -(left_panel_s2_n_hub_z * shared[0]
-            + left_panel_s1_n_hub_z * shared[1]);
+        let left_panel_t70 = left_panel_s2_n_hub_z * hub_sin3
+            - left_panel_s1_n_hub_z * hub_cos3;
+        let left_panel_t71 = -(left_panel_s2_n_hub_z * hub_cos3
+            + left_panel_s1_n_hub_z * hub_sin3);
         solved[30][lane] = left_panel_t71;
-        let left_panel_t72 = left_panel_theta3_f_hub_z * shared[2]
-            - left_panel_t56 * shared[3];
-        let left_panel_t73 = left_panel_t56 * shared[2]
-            + left_panel_theta3_f_hub_z * shared[3];
+        let hub_cos2 = shared[2];
+        let hub_sin2 = shared[3];
+        let left_panel_t72 = left_panel_theta3_f_hub_z * hub_cos2
+            - left_panel_t56 * hub_sin2;
+        let left_panel_t73 = left_panel_t56 * hub_cos2
+            + left_panel_theta3_f_hub_z * hub_sin2;
         solved[31][lane] = left_panel_t73;
-        let left_panel_t74 = -(left_panel_t58 * shared[2]
-            + left_panel_theta3_n_hub_z * shared[3]);
+        let left_panel_t74 = -(left_panel_t58 * hub_cos2
+            + left_panel_theta3_n_hub_z * hub_sin2);
         solved[32][lane] = left_panel_t74;
-        let left_panel_t75 = left_panel_theta2_f_hub_z * shared[2]
-            - left_panel_t60 * shared[3];
-        let left_panel_t76 = -(left_panel_t60 * shared[2]
-            + left_panel_theta2_f_hub_z * shared[3]);
+        let left_panel_t75 = left_panel_theta2_f_hub_z * hub_cos2
+            - left_panel_t60 * hub_sin2;
+        let left_panel_t76 = -(left_panel_t60 * hub_cos2
+            + left_panel_theta2_f_hub_z * hub_sin2);
         solved[33][lane] = left_panel_t76;
-        let left_panel_t77 = left_panel_t62 * shared[2]
-            + left_panel_theta2_n_hub_z * shared[3];
+        let left_panel_t77 = left_panel_t62 * hub_cos2
+            + left_panel_theta2_n_hub_z * hub_sin2;
         solved[34][lane] = left_panel_t77;
-        let left_panel_t78 = left_panel_theta1_f_hub_z * shared[2]
-            + left_panel_t64 * shared[3];
-        let left_panel_t79 = left_panel_t64 * shared[2]
-            - left_panel_theta1_f_hub_z * shared[3];
+        let left_panel_t78 = left_panel_theta1_f_hub_z * hub_cos2
+            + left_panel_t64 * hub_sin2;
+        let left_panel_t79 = left_panel_t64 * hub_cos2
+            - left_panel_theta1_f_hub_z * hub_sin2;
         solved[35][lane] = left_panel_t79;
-        let left_panel_t80 = left_panel_t66 * shared[2]
-            + left_panel_theta1_n_hub_z * shared[3];
+        let left_panel_t80 = left_panel_t66 * hub_cos2
+            + left_panel_theta1_n_hub_z * hub_sin2;
         solved[36][lane] = left_panel_t80;
-        let left_panel_t81 = left_panel_t68 * shared[2]
-            + left_panel_s1_n_hub_z * shared[3];
+        let left_panel_t81 = left_panel_t68 * hub_cos2
+            + left_panel_s1_n_hub_z * hub_sin2;
         solved[37][lane] = left_panel_t81;
-        let left_panel_t82 = left_panel_t69 * shared[2]
-            + left_panel_s2_n_hub_z * shared[3];
+        let left_panel_t82 = left_panel_t69 * hub_cos2
+            + left_panel_s2_n_hub_z * hub_sin2;
         solved[38][lane] = left_panel_t82;
-        let left_panel_t83 = -(left_panel_t70 * shared[2]);
+        let left_panel_t83 = -(left_panel_t70 * hub_cos2);
         solved[39][lane] = left_panel_t83;
-        let left_panel_t84 = left_panel_t72 * shared[5] - left_panel_t57 * shared[4];
+        let hub_sin1 = shared[5];
+        let hub_cos1 = shared[4];
+        let left_panel_t84 = left_panel_t72 * hub_sin1 - left_panel_t57 * hub_cos1;
         solved[40][lane] = left_panel_t84;
-        let left_panel_t85 = -(left_panel_t72 * shared[4] + left_panel_t57 * shared[5]);
+        let left_panel_t85 = -(left_panel_t72 * hub_cos1 + left_panel_t57 * hub_sin1);
         solved[41][lane] = left_panel_t85;
-        let left_panel_t86 = left_panel_t75 * shared[5] - left_panel_t61 * shared[4];
+        let left_panel_t86 = left_panel_t75 * hub_sin1 - left_panel_t61 * hub_cos1;
         solved[42][lane] = left_panel_t86;
-        let left_panel_t87 = left_panel_t75 * shared[4] + left_panel_t61 * shared[5];
+        let left_panel_t87 = left_panel_t75 * hub_cos1 + left_panel_t61 * hub_sin1;
         solved[43][lane] = left_panel_t87;
-        let left_panel_t88 = left_panel_t65 * shared[4] - left_panel_t78 * shared[5];
+        let left_panel_t88 = left_panel_t65 * hub_cos1 - left_panel_t78 * hub_sin1;
         solved[44][lane] = left_panel_t88;
-        let left_panel_t89 = -(left_panel_t78 * shared[4] + left_panel_t65 * shared[5]);
+        let left_panel_t89 = -(left_panel_t78 * hub_cos1 + left_panel_t65 * hub_sin1);
         solved[45][lane] = left_panel_t89;
     }
     solved
@@ -20794,129 +21008,148 @@ fn mass_matrix_packed_lockstep_2<R: kane::Real>(
             - (forearm_offset_y * forearm_t11
                 - forearm_offset_x * forearm_s1_n_shoulder_z);
         solved[24][lane] = forearm_composite_on_lower_xy;
-        let forearm_t56 = forearm_theta3_f_shoulder_x * shared[0]
-            - forearm_theta3_f_shoulder_y * shared[1];
-        let forearm_t57 = forearm_theta3_f_shoulder_y * shared[0]
-            + forearm_theta3_f_shoulder_x * shared[1];
-        let forearm_t58 = forearm_theta3_n_shoulder_x * shared[0]
-            - forearm_theta3_n_shoulder_y * shared[1];
-        let forearm_t59 = forearm_theta3_n_shoulder_y * shared[0]
-            + forearm_theta3_n_shoulder_x * shared[1];
+        let shoulder_cos3 = shared[0];
+        let shoulder_sin3 = shared[1];
+        let forearm_t56 = forearm_theta3_f_shoulder_x * shoulder_cos3
+            - forearm_theta3_f_shoulder_y * shoulder_sin3;
+        let forearm_t57 = forearm_theta3_f_shoulder_y * shoulder_cos3
+            + forearm_theta3_f_shoulder_x * shoulder_sin3;
+        let forearm_t58 = forearm_theta3_n_shoulder_x * shoulder_cos3
+            - forearm_theta3_n_shoulder_y * shoulder_sin3;
+        let forearm_t59 = forearm_theta3_n_shoulder_y * shoulder_cos3
+            + forearm_theta3_n_shoulder_x * shoulder_sin3;
         solved[25][lane] = forearm_t59;
-        let forearm_t60 = forearm_theta2_f_shoulder_x * shared[0]
-            - forearm_theta2_f_shoulder_y * shared[1];
-        let forearm_t61 = forearm_theta2_f_shoulder_y * shared[0]
-            + forearm_theta2_f_shoulder_x * shared[1];
-        let forearm_t62 = forearm_theta2_n_shoulder_x * shared[0]
-            - forearm_theta2_n_shoulder_y * shared[1];
-        let forearm_t63 = forearm_theta2_n_shoulder_y * shared[0]
-            + forearm_theta2_n_shoulder_x * shared[1];
+        let forearm_t60 = forearm_theta2_f_shoulder_x * shoulder_cos3
+            - forearm_theta2_f_shoulder_y * shoulder_sin3;
+        let forearm_t61 = forearm_theta2_f_shoulder_y * shoulder_cos3
+            + forearm_theta2_f_shoulder_x * shoulder_sin3;
+        let forearm_t62 = forearm_theta2_n_shoulder_x * shoulder_cos3
+            - forearm_theta2_n_shoulder_y * shoulder_sin3;
+        let forearm_t63 = forearm_theta2_n_shoulder_y * shoulder_cos3
+            + forearm_theta2_n_shoulder_x * shoulder_sin3;
         solved[26][lane] = forearm_t63;
-        let forearm_t64 = forearm_theta1_f_shoulder_y * shared[1];
-        let forearm_t65 = forearm_theta1_f_shoulder_y * shared[0];
-        let forearm_t66 = forearm_theta1_n_shoulder_x * shared[0]
-            - forearm_theta1_n_shoulder_y * shared[1];
-        let forearm_t67 = forearm_theta1_n_shoulder_y * shared[0]
-            + forearm_theta1_n_shoulder_x * shared[1];
+        let forearm_t64 = forearm_theta1_f_shoulder_y * shoulder_sin3;
+        let forearm_t65 = forearm_theta1_f_shoulder_y * shoulder_cos3;
+        let forearm_t66 = forearm_theta1_n_shoulder_x * shoulder_cos3
+            - forearm_theta1_n_shoulder_y * shoulder_sin3;
+        let forearm_t67 = forearm_theta1_n_shoulder_y * shoulder_cos3
+            + forearm_theta1_n_shoulder_x * shoulder_sin3;
         solved[27][lane] = forearm_t67;
-        let forearm_t68 = forearm_s1_n_shoulder_y * shared[1];
+        let forearm_t68 = forearm_s1_n_shoulder_y * shoulder_sin3;
         solved[28][lane] = forearm_t68;
-        let forearm_t69 = forearm_s1_n_shoulder_y * shared[0];
+        let forearm_t69 = forearm_s1_n_shoulder_y * shoulder_cos3;
         solved[29][lane] = forearm_t69;
-        let forearm_t70 = forearm_s2_n_shoulder_z * shared[1]
-            - forearm_s1_n_shoulder_z * shared[0];
-        let forearm_t71 = -(forearm_s2_n_shoulder_z * shared[0]
-            + forearm_s1_n_shoulder_z * shared[1]);
+        let forearm_t70 = forearm_s2_n_shoulder_z * shoulder_sin3
+            - forearm_s1_n_shoulder_z * shoulder_cos3;
+        let forearm_t71 = -(forearm_s2_n_shoulder_z * shoulder_cos3
+            + forearm_s1_n_shoulder_z * shoulder_sin3);
         solved[30][lane] = forearm_t71;
-        let forearm_t72 = forearm_theta3_f_shoulder_z * shared[2]
-            - forearm_t56 * shared[3];
-        let forearm_theta3_f_hub_x = forearm_t56 * shared[2]
-            + forearm_theta3_f_shoulder_z * shared[3];
+        let shoulder_cos2 = shared[2];
+        let shoulder_sin2 = shared[3];
+        let forearm_t72 = forearm_theta3_f_shoulder_z * shoulder_cos2
+            - forearm_t56 * shoulder_sin2;
+        let forearm_theta3_f_hub_x = forearm_t56 * shoulder_cos2
+            + forearm_theta3_f_shoulder_z * shoulder_sin2;
         solved[31][lane] = forearm_theta3_f_hub_x;
-        let forearm_t73 = forearm_theta3_n_shoulder_z * shared[2]
-            - forearm_t58 * shared[3];
-        let forearm_t74 = forearm_t58 * shared[2]
-            + forearm_theta3_n_shoulder_z * shared[3];
+        let forearm_t73 = forearm_theta3_n_shoulder_z * shoulder_cos2
+            - forearm_t58 * shoulder_sin2;
+        let forearm_t74 = forearm_t58 * shoulder_cos2
+            + forearm_theta3_n_shoulder_z * shoulder_sin2;
         solved[32][lane] = forearm_t74;
-        let forearm_t75 = forearm_theta2_f_shoulder_z * shared[2]
-            - forearm_t60 * shared[3];
-        let forearm_theta2_f_hub_x = forearm_t60 * shared[2]
-            + forearm_theta2_f_shoulder_z * shared[3];
+        let forearm_t75 = forearm_theta2_f_shoulder_z * shoulder_cos2
+            - forearm_t60 * shoulder_sin2;
+        let forearm_theta2_f_hub_x = forearm_t60 * shoulder_cos2
+            + forearm_theta2_f_shoulder_z * shoulder_sin2;
         solved[33][lane] = forearm_theta2_f_hub_x;
-        let forearm_t76 = forearm_theta2_n_shoulder_z * shared[2]
-            - forearm_t62 * shared[3];
-        let forearm_t77 = forearm_t62 * shared[2]
-            + forearm_theta2_n_shoulder_z * shared[3];
+        let forearm_t76 = forearm_theta2_n_shoulder_z * shoulder_cos2
+            - forearm_t62 * shoulder_sin2;
+        let forearm_t77 = forearm_t62 * shoulder_cos2
+            + forearm_theta2_n_shoulder_z * shoulder_sin2;
         solved[34][lane] = forearm_t77;
-        let forearm_t78 = forearm_theta1_f_shoulder_z * shared[2]
-            + forearm_t64 * shared[3];
-        let forearm_theta1_f_hub_x = forearm_theta1_f_shoulder_z * shared[3]
-            - forearm_t64 * shared[2];
+        let forearm_t78 = forearm_theta1_f_shoulder_z * shoulder_cos2
+            + forearm_t64 * shoulder_sin2;
+        let forearm_theta1_f_hub_x = forearm_theta1_f_shoulder_z * shoulder_sin2
+            - forearm_t64 * shoulder_cos2;
         solved[35][lane] = forearm_theta1_f_hub_x;
-        let forearm_t79 = forearm_theta1_n_shoulder_z * shared[2]
-            - forearm_t66 * shared[3];
-        let forearm_t80 = forearm_t66 * shared[2]
-            + forearm_theta1_n_shoulder_z * shared[3];
+        let forearm_t79 = forearm_theta1_n_shoulder_z * shoulder_cos2
+            - forearm_t66 * shoulder_sin2;
+        let forearm_t80 = forearm_t66 * shoulder_cos2
+            + forearm_theta1_n_shoulder_z * shoulder_sin2;
         solved[36][lane] = forearm_t80;
-        let forearm_t81 = forearm_s1_n_shoulder_z * shared[2] + forearm_t68 * shared[3];
-        let forearm_t82 = forearm_t68 * shared[2] - forearm_s1_n_shoulder_z * shared[3];
+        let forearm_t81 = forearm_s1_n_shoulder_z * shoulder_cos2
+            + forearm_t68 * shoulder_sin2;
+        let forearm_t82 = forearm_t68 * shoulder_cos2
+            - forearm_s1_n_shoulder_z * shoulder_sin2;
         solved[37][lane] = forearm_t82;
-        let forearm_t83 = forearm_s2_n_shoulder_z * shared[2] + forearm_t69 * shared[3];
-        let forearm_t84 = forearm_t69 * shared[2] - forearm_s2_n_shoulder_z * shared[3];
+        let forearm_t83 = forearm_s2_n_shoulder_z * shoulder_cos2
+            + forearm_t69 * shoulder_sin2;
+        let forearm_t84 = forearm_t69 * shoulder_cos2
+            - forearm_s2_n_shoulder_z * shoulder_sin2;
         solved[38][lane] = forearm_t84;
-        let forearm_t85 = forearm_t70 * shared[3];
-        let forearm_t86 = -(forearm_t70 * shared[2]);
+        let forearm_t85 = forearm_t70 * shoulder_sin2;
+        let forearm_t86 = -(forearm_t70 * shoulder_cos2);
         solved[39][lane] = forearm_t86;
-        let forearm_theta3_f_hub_y = forearm_t57 * shared[4] - forearm_t72 * shared[5];
+        let shoulder_cos1 = shared[4];
+        let shoulder_sin1 = shared[5];
+        let forearm_theta3_f_hub_y = forearm_t57 * shoulder_cos1
+            - forearm_t72 * shoulder_sin1;
         solved[40][lane] = -forearm_theta3_f_hub_y;
-        let forearm_theta3_f_hub_z = forearm_t72 * shared[4] + forearm_t57 * shared[5];
+        let forearm_theta3_f_hub_z = forearm_t72 * shoulder_cos1
+            + forearm_t57 * shoulder_sin1;
         solved[41][lane] = -forearm_theta3_f_hub_z;
-        let forearm_t87 = forearm_t59 * shared[4] - forearm_t73 * shared[5];
-        let forearm_t88 = forearm_t73 * shared[4] + forearm_t59 * shared[5];
-        let forearm_theta2_f_hub_y = forearm_t61 * shared[4] - forearm_t75 * shared[5];
+        let forearm_t87 = forearm_t59 * shoulder_cos1 - forearm_t73 * shoulder_sin1;
+        let forearm_t88 = forearm_t73 * shoulder_cos1 + forearm_t59 * shoulder_sin1;
+        let forearm_theta2_f_hub_y = forearm_t61 * shoulder_cos1
+            - forearm_t75 * shoulder_sin1;
         solved[42][lane] = -forearm_theta2_f_hub_y;
-        let forearm_theta2_f_hub_z = forearm_t75 * shared[4] + forearm_t61 * shared[5];
+        let forearm_theta2_f_hub_z = forearm_t75 * shoulder_cos1
+            + forearm_t61 * shoulder_sin1;
         solved[43][lane] = forearm_theta2_f_hub_z;
-        let forearm_t89 = forearm_t63 * shared[4] - forearm_t76 * shared[5];
-        let forearm_t90 = forearm_t76 * shared[4] + forearm_t63 * shared[5];
-        let forearm_theta1_f_hub_y = forearm_t65 * shared[4] - forearm_t78 * shared[5];
+        let forearm_t89 = forearm_t63 * shoulder_cos1 - forearm_t76 * shoulder_sin1;
+        let forearm_t90 = forearm_t76 * shoulder_cos1 + forearm_t63 * shoulder_sin1;
+        let forearm_theta1_f_hub_y = forearm_t65 * shoulder_cos1
+            - forearm_t78 * shoulder_sin1;
         solved[44][lane] = -forearm_theta1_f_hub_y;
-        let forearm_theta1_f_hub_z = forearm_t78 * shared[4] + forearm_t65 * shared[5];
+        let forearm_theta1_f_hub_z = forearm_t78 * shoulder_cos1
+            + forearm_t65 * shoulder_sin1;
         solved[45][lane] = -forearm_theta1_f_hub_z;
-        let forearm_t91 = forearm_t67 * shared[4] - forearm_t79 * shared[5];
-        let forearm_t92 = forearm_t79 * shared[4] + forearm_t67 * shared[5];
-        let forearm_t93 = forearm_t69 * shared[4] - forearm_t81 * shared[5];
-        let forearm_t94 = forearm_t81 * shared[4] + forearm_t69 * shared[5];
-        let forearm_t95 = forearm_t68 * shared[4] + forearm_t83 * shared[5];
-        let forearm_t96 = forearm_t83 * shared[4] - forearm_t68 * shared[5];
-        let forearm_t97 = forearm_t71 * shared[4] + forearm_t85 * shared[5];
-        let forearm_t98 = forearm_t71 * shared[5] - forearm_t85 * shared[4];
-        let forearm_t99 = forearm_theta3_f_hub_y * shared[7]
-            - forearm_theta3_f_hub_z * shared[6];
-        let forearm_t100 = forearm_theta3_f_hub_z * shared[8]
-            - forearm_theta3_f_hub_x * shared[7];
-        let forearm_t101 = forearm_theta3_f_hub_x * shared[6]
-            - forearm_theta3_f_hub_y * shared[8];
+        let forearm_t91 = forearm_t67 * shoulder_cos1 - forearm_t79 * shoulder_sin1;
+        let forearm_t92 = forearm_t79 * shoulder_cos1 + forearm_t67 * shoulder_sin1;
+        let forearm_t93 = forearm_t69 * shoulder_cos1 - forearm_t81 * shoulder_sin1;
+        let forearm_t94 = forearm_t81 * shoulder_cos1 + forearm_t69 * shoulder_sin1;
+        let forearm_t95 = forearm_t68 * shoulder_cos1 + forearm_t83 * shoulder_sin1;
+        let forearm_t96 = forearm_t83 * shoulder_cos1 - forearm_t68 * shoulder_sin1;
+        let forearm_t97 = forearm_t71 * shoulder_cos1 + forearm_t85 * shoulder_sin1;
+        let forearm_t98 = forearm_t71 * shoulder_sin1 - forearm_t85 * shoulder_cos1;
+        let shoulder_minus_offset_z = shared[7];
+        let shoulder_minus_offset_y = shared[6];
+        let forearm_t99 = forearm_theta3_f_hub_y * shoulder_minus_offset_z
+            - forearm_theta3_f_hub_z * shoulder_minus_offset_y;
+        let shoulder_minus_offset_x = shared[8];
+        let forearm_t100 = forearm_theta3_f_hub_z * shoulder_minus_offset_x
+            - forearm_theta3_f_hub_x * shoulder_minus_offset_z;
+        let forearm_t101 = forearm_theta3_f_hub_x * shoulder_minus_offset_y
+            - forearm_theta3_f_hub_y * shoulder_minus_offset_x;
         let forearm_theta3_n_hub_x = forearm_t74 + forearm_t99;
         let forearm_theta3_n_hub_y = forearm_t87 + forearm_t100;
         let forearm_theta3_n_hub_z = forearm_t88 + forearm_t101;
         solved[46][lane] = forearm_theta3_n_hub_z;
-        let forearm_t102 = forearm_theta2_f_hub_y * shared[7]
-            - forearm_theta2_f_hub_z * shared[6];
-        let forearm_t103 = forearm_theta2_f_hub_z * shared[8]
-            - forearm_theta2_f_hub_x * shared[7];
-        let forearm_t104 = forearm_theta2_f_hub_x * shared[6]
-            - forearm_theta2_f_hub_y * shared[8];
+        let forearm_t102 = forearm_theta2_f_hub_y * shoulder_minus_offset_z
+            - forearm_theta2_f_hub_z * shoulder_minus_offset_y;
+        let forearm_t103 = forearm_theta2_f_hub_z * shoulder_minus_offset_x
+            - forearm_theta2_f_hub_x * shoulder_minus_offset_z;
+        let forearm_t104 = forearm_theta2_f_hub_x * shoulder_minus_offset_y
+            - forearm_theta2_f_hub_y * shoulder_minus_offset_x;
         let forearm_theta2_n_hub_x = forearm_t77 + forearm_t102;
         let forearm_theta2_n_hub_y = forearm_t89 + forearm_t103;
         let forearm_theta2_n_hub_z = forearm_t90 + forearm_t104;
         solved[47][lane] = forearm_theta2_n_hub_z;
-        let forearm_t105 = forearm_theta1_f_hub_y * shared[7]
-            - forearm_theta1_f_hub_z * shared[6];
-        let forearm_t106 = forearm_theta1_f_hub_z * shared[8]
-            - forearm_theta1_f_hub_x * shared[7];
-        let forearm_t107 = forearm_theta1_f_hub_x * shared[6]
-            - forearm_theta1_f_hub_y * shared[8];
+        let forearm_t105 = forearm_theta1_f_hub_y * shoulder_minus_offset_z
+            - forearm_theta1_f_hub_z * shoulder_minus_offset_y;
+        let forearm_t106 = forearm_theta1_f_hub_z * shoulder_minus_offset_x
+            - forearm_theta1_f_hub_x * shoulder_minus_offset_z;
+        let forearm_t107 = forearm_theta1_f_hub_x * shoulder_minus_offset_y
+            - forearm_theta1_f_hub_y * shoulder_minus_offset_x;
         let forearm_theta1_n_hub_x = forearm_t80 + forearm_t105;
         let forearm_theta1_n_hub_y = forearm_t91 + forearm_t106;
         let forearm_theta1_n_hub_z = forearm_t92 + forearm_t107;
@@ -20942,90 +21175,84 @@ fn mass_matrix_packed_lockstep_2<R: kane::Real>(
         let forearm_side9 = sides[17][lane];
         let forearm_s3_n_hub_z = forearm_t98 + forearm_side9;
         solved[51][lane] = forearm_s3_n_hub_z;
-        let forearm_t108 = forearm_theta3_f_hub_x * shared[9]
-            - forearm_theta3_f_hub_y * shared[10];
-        let forearm_t109 = forearm_theta3_f_hub_y * shared[9]
-            + forearm_theta3_f_hub_x * shared[10];
-        let forearm_t110 = forearm_theta3_n_hub_x * shared[9]
-            - forearm_theta3_n_hub_y * shared[10];
-        let forearm_t111 = forearm_theta3_n_hub_y * shared[9]
-            + forearm_theta3_n_hub_x * shared[10];
+        let hub_cos3 = shared[9];
+        let hub_sin3 = shared[10];
+        let forearm_t108 = forearm_theta3_f_hub_x * hub_cos3
+            - forearm_theta3_f_hub_y * hub_sin3;
+        let forearm_t109 = forearm_theta3_f_hub_y * hub_cos3
+            + forearm_theta3_f_hub_x * hub_sin3;
+        let forearm_t110 = forearm_theta3_n_hub_x * hub_cos3
+            - forearm_theta3_n_hub_y * hub_sin3;
+        let forearm_t111 = forearm_theta3_n_hub_y * hub_cos3
+            + forearm_theta3_n_hub_x * hub_sin3;
         solved[52][lane] = forearm_t111;
-        let forearm_t112 = forearm_theta2_f_hub_x * shared[9]
-            - forearm_theta2_f_hub_y * shared[10];
-        let forearm_t113 = forearm_theta2_f_hub_y * shared[9]
-            + forearm_theta2_f_hub_x * shared[10];
-        let forearm_t114 = forearm_theta2_n_hub_x * shared[9]
-            - forearm_theta2_n_hub_y * shared[10];
-        let forearm_t115 = forearm_theta2_n_hub_y * shared[9]
-            + forearm_theta2_n_hub_x * shared[10];
+        let forearm_t112 = forearm_theta2_f_hub_x * hub_cos3
+            - forearm_theta2_f_hub_y * hub_sin3;
+        let forearm_t113 = forearm_theta2_f_hub_y * hub_cos3
+            + forearm_theta2_f_hub_x * hub_sin3;
+        let forearm_t114 = forearm_theta2_n_hub_x * hub_cos3
+            - forearm_theta2_n_hub_y * hub_sin3;
+        let forearm_t115 = forearm_theta2_n_hub_y * hub_cos3
+            + forearm_theta2_n_hub_x * hub_sin3;
         solved[53][lane] = forearm_t115;
-        let forearm_t116 = forearm_theta1_f_hub_x * shared[9]
-            - forearm_theta1_f_hub_y * shared[10];
-        let forearm_t117 = forearm_theta1_f_hub_y * shared[9]
-            + forearm_theta1_f_hub_x * shared[10];
-        let forearm_t118 = forearm_theta1_n_hub_x * shared[9]
-            - forearm_theta1_n_hub_y * shared[10];
-        let forearm_t119 = forearm_theta1_n_hub_y * shared[9]
-            + forearm_theta1_n_hub_x * shared[10];
+        let forearm_t116 = forearm_theta1_f_hub_x * hub_cos3
+            - forearm_theta1_f_hub_y * hub_sin3;
+        let forearm_t117 = forearm_theta1_f_hub_y * hub_cos3
+            + forearm_theta1_f_hub_x * hub_sin3;
+        let forearm_t118 = forearm_theta1_n_hub_x * hub_cos3
+            - forearm_theta1_n_hub_y * hub_sin3;
+        let forearm_t119 = forearm_theta1_n_hub_y * hub_cos3
+            + forearm_theta1_n_hub_x * hub_sin3;
         solved[54][lane] = forearm_t119;
-        let forearm_t120 = forearm_s1_n_hub_x * shared[9]
-            - forearm_s1_n_hub_y * shared[10];
-        let forearm_t121 = forearm_s1_n_hub_y * shared[9]
-            + forearm_s1_n_hub_x * shared[10];
+        let forearm_t120 = forearm_s1_n_hub_x * hub_cos3 - forearm_s1_n_hub_y * hub_sin3;
+        let forearm_t121 = forearm_s1_n_hub_y * hub_cos3 + forearm_s1_n_hub_x * hub_sin3;
         solved[55][lane] = forearm_t121;
-        let forearm_t122 = forearm_minus_s2_n_hub_x * shared[9]
-            + forearm_s2_n_hub_y * shared[10];
-        let forearm_t123 = forearm_minus_s2_n_hub_x * shared[10]
-            - forearm_s2_n_hub_y * shared[9];
+        let forearm_t122 = forearm_minus_s2_n_hub_x * hub_cos3
+            + forearm_s2_n_hub_y * hub_sin3;
+        let forearm_t123 = forearm_minus_s2_n_hub_x * hub_sin3
+            - forearm_s2_n_hub_y * hub_cos3;
         solved[56][lane] = forearm_t123;
-        let forearm_t124 = forearm_minus_s3_n_hub_x * shared[9]
-            + forearm_s3_n_hub_y * shared[10];
-        let forearm_t125 = forearm_s3_n_hub_y * shared[9]
-            - forearm_minus_s3_n_hub_x * shared[10];
+        let forearm_t124 = forearm_minus_s3_n_hub_x * hub_cos3
+            + forearm_s3_n_hub_y * hub_sin3;
+        let forearm_t125 = forearm_s3_n_hub_y * hub_cos3
+            - forearm_minus_s3_n_hub_x * hub_sin3;
         solved[57][lane] = forearm_t125;
-        let forearm_t126 = forearm_theta3_f_hub_z * shared[11]
-            - forearm_t108 * shared[12];
-        let forearm_t127 = forearm_t108 * shared[11]
-            + forearm_theta3_f_hub_z * shared[12];
+        let hub_cos2 = shared[11];
+        let hub_sin2 = shared[12];
+        let forearm_t126 = forearm_theta3_f_hub_z * hub_cos2 - forearm_t108 * hub_sin2;
+        let forearm_t127 = forearm_t108 * hub_cos2 + forearm_theta3_f_hub_z * hub_sin2;
         solved[58][lane] = forearm_t127;
-        let forearm_t128 = forearm_t110 * shared[11]
-            + forearm_theta3_n_hub_z * shared[12];
+        let forearm_t128 = forearm_t110 * hub_cos2 + forearm_theta3_n_hub_z * hub_sin2;
         solved[59][lane] = forearm_t128;
-        let forearm_t129 = forearm_theta2_f_hub_z * shared[11]
-            - forearm_t112 * shared[12];
-        let forearm_t130 = forearm_t112 * shared[11]
-            + forearm_theta2_f_hub_z * shared[12];
+        let forearm_t129 = forearm_theta2_f_hub_z * hub_cos2 - forearm_t112 * hub_sin2;
+        let forearm_t130 = forearm_t112 * hub_cos2 + forearm_theta2_f_hub_z * hub_sin2;
         solved[60][lane] = forearm_t130;
-        let forearm_t131 = forearm_t114 * shared[11]
-            + forearm_theta2_n_hub_z * shared[12];
+        let forearm_t131 = forearm_t114 * hub_cos2 + forearm_theta2_n_hub_z * hub_sin2;
         solved[61][lane] = forearm_t131;
-        let forearm_t132 = forearm_theta1_f_hub_z * shared[11]
-            - forearm_t116 * shared[12];
-        let forearm_t133 = forearm_t116 * shared[11]
-            + forearm_theta1_f_hub_z * shared[12];
+        let forearm_t132 = forearm_theta1_f_hub_z * hub_cos2 - forearm_t116 * hub_sin2;
+        let forearm_t133 = forearm_t116 * hub_cos2 + forearm_theta1_f_hub_z * hub_sin2;
         solved[62][lane] = forearm_t133;
-        let forearm_t134 = forearm_t118 * shared[11]
-            + forearm_theta1_n_hub_z * shared[12];
+        let forearm_t134 = forearm_t118 * hub_cos2 + forearm_theta1_n_hub_z * hub_sin2;
         solved[63][lane] = forearm_t134;
-        let forearm_t135 = -(forearm_t120 * shared[11]
-            + forearm_s1_n_hub_z * shared[12]);
+        let forearm_t135 = -(forearm_t120 * hub_cos2 + forearm_s1_n_hub_z * hub_sin2);
         solved[64][lane] = forearm_t135;
-        let forearm_t136 = forearm_t122 * shared[11] - forearm_s2_n_hub_z * shared[12];
+        let forearm_t136 = forearm_t122 * hub_cos2 - forearm_s2_n_hub_z * hub_sin2;
         solved[65][lane] = forearm_t136;
-        let forearm_t137 = forearm_t124 * shared[11] - forearm_s3_n_hub_z * shared[12];
+        let forearm_t137 = forearm_t124 * hub_cos2 - forearm_s3_n_hub_z * hub_sin2;
         solved[66][lane] = forearm_t137;
-        let forearm_t138 = forearm_t126 * shared[14] - forearm_t109 * shared[13];
+        let hub_sin1 = shared[14];
+        let hub_cos1 = shared[13];
+        let forearm_t138 = forearm_t126 * hub_sin1 - forearm_t109 * hub_cos1;
         solved[67][lane] = forearm_t138;
-        let forearm_t139 = -(forearm_t126 * shared[13] + forearm_t109 * shared[14]);
+        let forearm_t139 = -(forearm_t126 * hub_cos1 + forearm_t109 * hub_sin1);
         solved[68][lane] = forearm_t139;
-        let forearm_t140 = forearm_t129 * shared[14] - forearm_t113 * shared[13];
+        let forearm_t140 = forearm_t129 * hub_sin1 - forearm_t113 * hub_cos1;
         solved[69][lane] = forearm_t140;
-        let forearm_t141 = forearm_t129 * shared[13] + forearm_t113 * shared[14];
+        let forearm_t141 = forearm_t129 * hub_cos1 + forearm_t113 * hub_sin1;
         solved[70][lane] = forearm_t141;
-        let forearm_t142 = forearm_t132 * shared[14] - forearm_t117 * shared[13];
+        let forearm_t142 = forearm_t132 * hub_sin1 - forearm_t117 * hub_cos1;
         solved[71][lane] = forearm_t142;
-        let forearm_t143 = -(forearm_t132 * shared[13] + forearm_t117 * shared[14]);
+        let forearm_t143 = -(forearm_t132 * hub_cos1 + forearm_t117 * hub_sin1);
         solved[72][lane] = forearm_t143;
     }
     solved
@@ -27500,36 +27727,52 @@ fn forward_dynamics_lockstep_1<R: kane::Real>(
         let left_panel_f_past_s2_y = left_panel_cos3 * left_panel_t3
             - left_panel_sin3 * left_panel_t5;
         // left_panel: velocity and acceleration, outward
-        let left_panel_a_of_offset_x = left_panel_offset_z * shared[2]
-            - (left_panel_offset_x * shared[0] + left_panel_offset_y * shared[1]);
-        let left_panel_a_of_offset_y = left_panel_offset_x * shared[3]
-            - left_panel_offset_y * shared[4] + left_panel_offset_z * shared[5];
-        let left_panel_minus_a_of_offset_z = left_panel_offset_x * shared[6]
-            + left_panel_offset_y * shared[7] + left_panel_offset_z * shared[8];
+        let hub_u_xz = shared[2];
+        let hub_minus_u_xx = shared[0];
+        let hub_minus_u_xy = shared[1];
+        let left_panel_a_of_offset_x = left_panel_offset_z * hub_u_xz
+            - (left_panel_offset_x * hub_minus_u_xx
+                + left_panel_offset_y * hub_minus_u_xy);
+        let hub_u_yx = shared[3];
+        let hub_minus_u_yy = shared[4];
+        let hub_u_yz = shared[5];
+        let left_panel_a_of_offset_y = left_panel_offset_x * hub_u_yx
+            - left_panel_offset_y * hub_minus_u_yy + left_panel_offset_z * hub_u_yz;
+        let hub_minus_u_zx = shared[6];
+        let hub_minus_u_zy = shared[7];
+        let hub_minus_u_zz = shared[8];
+        let left_panel_minus_a_of_offset_z = left_panel_offset_x * hub_minus_u_zx
+            + left_panel_offset_y * hub_minus_u_zy
+            + left_panel_offset_z * hub_minus_u_zz;
         let left_panel_s1_dot = sides[15][lane];
         let left_panel_t6 = R::from_f64(2.0) * left_panel_s1_dot;
         let left_panel_s2_dot = sides[16][lane];
         let left_panel_t7 = R::from_f64(2.0) * left_panel_s2_dot;
         let left_panel_s3_dot = sides[17][lane];
         let left_panel_t8 = R::from_f64(2.0) * left_panel_s3_dot;
-        let left_panel_t9 = left_panel_t8 * shared[9] - left_panel_t7 * shared[10];
-        let left_panel_t10 = left_panel_t6 * shared[10] - left_panel_t8 * shared[11];
-        let left_panel_t11 = left_panel_t7 * shared[11] - left_panel_t6 * shared[9];
+        let hub_w_y = shared[9];
+        let hub_w_z = shared[10];
+        let left_panel_t9 = left_panel_t8 * hub_w_y - left_panel_t7 * hub_w_z;
+        let hub_w_x = shared[11];
+        let left_panel_t10 = left_panel_t6 * hub_w_z - left_panel_t8 * hub_w_x;
+        let left_panel_t11 = left_panel_t7 * hub_w_x - left_panel_t6 * hub_w_y;
         let left_panel_t12 = left_panel_a_of_offset_x + left_panel_t9;
         let left_panel_t13 = left_panel_a_of_offset_y + left_panel_t10;
         let left_panel_t14 = left_panel_t11 - left_panel_minus_a_of_offset_z;
-        let left_panel_t15 = left_panel_cos1 * shared[9] + left_panel_sin1 * shared[10];
-        let left_panel_t16 = left_panel_cos1 * shared[10] - left_panel_sin1 * shared[9];
-        let left_panel_alpha_of_lower_y = left_panel_cos1 * shared[12]
-            + left_panel_sin1 * shared[13];
-        let left_panel_alpha_of_lower_z = left_panel_cos1 * shared[13]
-            - left_panel_sin1 * shared[12];
+        let left_panel_t15 = left_panel_cos1 * hub_w_y + left_panel_sin1 * hub_w_z;
+        let left_panel_t16 = left_panel_cos1 * hub_w_z - left_panel_sin1 * hub_w_y;
+        let hub_alpha_y = shared[12];
+        let hub_alpha_z = shared[13];
+        let left_panel_alpha_of_lower_y = left_panel_cos1 * hub_alpha_y
+            + left_panel_sin1 * hub_alpha_z;
+        let left_panel_alpha_of_lower_z = left_panel_cos1 * hub_alpha_z
+            - left_panel_sin1 * hub_alpha_y;
         let left_panel_theta1_dot = sides[18][lane];
         let left_panel_alpha_of_rate_y = left_panel_t16 * left_panel_theta1_dot;
         let left_panel_alpha_of_rate_z = left_panel_t15 * left_panel_theta1_dot;
         let left_panel_t17 = left_panel_alpha_of_lower_y + left_panel_alpha_of_rate_y;
         let left_panel_t18 = left_panel_alpha_of_lower_z - left_panel_alpha_of_rate_z;
-        let left_panel_t19 = shared[11] + left_panel_theta1_dot;
+        let left_panel_t19 = hub_w_x + left_panel_theta1_dot;
         let left_panel_t20 = left_panel_cos1 * left_panel_t13
             + left_panel_sin1 * left_panel_t14;
         let left_panel_t21 = left_panel_cos1 * left_panel_t14
@@ -27538,9 +27781,10 @@ fn forward_dynamics_lockstep_1<R: kane::Real>(
             + left_panel_sin2 * left_panel_t19;
         let left_panel_t23 = left_panel_cos2 * left_panel_t19
             - left_panel_sin2 * left_panel_t16;
+        let hub_minus_alpha_x = shared[14];
         let left_panel_alpha_of_lower_z_ = left_panel_cos2 * left_panel_t18
-            - left_panel_sin2 * shared[14];
-        let left_panel_minus_alpha_of_lower_x = left_panel_cos2 * shared[14]
+            - left_panel_sin2 * hub_minus_alpha_x;
+        let left_panel_minus_alpha_of_lower_x = left_panel_cos2 * hub_minus_alpha_x
             + left_panel_sin2 * left_panel_t18;
         let left_panel_theta2_dot = sides[19][lane];
         let left_panel_alpha_of_rate_z_ = left_panel_t23 * left_panel_theta2_dot;
@@ -27809,46 +28053,66 @@ fn forward_dynamics_lockstep_2<R: kane::Real>(
         let forearm_f_past_s1_x = forearm_cos3 * forearm_t5 + forearm_sin3 * forearm_t3;
         let forearm_f_past_s2_y = forearm_cos3 * forearm_t3 - forearm_sin3 * forearm_t5;
         // forearm: velocity and acceleration, outward
-        let forearm_a_of_offset_x = forearm_offset_z * shared[2]
-            - (forearm_offset_x * shared[0] + forearm_offset_y * shared[1]);
-        let forearm_a_of_offset_y = forearm_offset_x * shared[3]
-            - forearm_offset_y * shared[4] + forearm_offset_z * shared[5];
-        let forearm_minus_a_of_offset_z = forearm_offset_x * shared[6]
-            + forearm_offset_y * shared[7] + forearm_offset_z * shared[8];
-        let forearm_a_at_joint_x = shared[9] + forearm_a_of_offset_x;
-        let forearm_a_at_joint_y = forearm_a_of_offset_y - shared[10];
-        let forearm_a_at_joint_z = shared[11] - forearm_minus_a_of_offset_z;
+        let shoulder_u_xz = shared[2];
+        let shoulder_minus_u_xx = shared[0];
+        let shoulder_minus_u_xy = shared[1];
+        let forearm_a_of_offset_x = forearm_offset_z * shoulder_u_xz
+            - (forearm_offset_x * shoulder_minus_u_xx
+                + forearm_offset_y * shoulder_minus_u_xy);
+        let shoulder_u_yx = shared[3];
+        let shoulder_minus_u_yy = shared[4];
+        let shoulder_u_yz = shared[5];
+        let forearm_a_of_offset_y = forearm_offset_x * shoulder_u_yx
+            - forearm_offset_y * shoulder_minus_u_yy + forearm_offset_z * shoulder_u_yz;
+        let shoulder_minus_u_zx = shared[6];
+        let shoulder_minus_u_zy = shared[7];
+        let shoulder_minus_u_zz = shared[8];
+        let forearm_minus_a_of_offset_z = forearm_offset_x * shoulder_minus_u_zx
+            + forearm_offset_y * shoulder_minus_u_zy
+            + forearm_offset_z * shoulder_minus_u_zz;
+        let shoulder_a_x = shared[9];
+        let forearm_a_at_joint_x = shoulder_a_x + forearm_a_of_offset_x;
+        let shoulder_minus_a_y = shared[10];
+        let forearm_a_at_joint_y = forearm_a_of_offset_y - shoulder_minus_a_y;
+        let shoulder_a_z = shared[11];
+        let forearm_a_at_joint_z = shoulder_a_z - forearm_minus_a_of_offset_z;
         let forearm_s1_dot = sides[15][lane];
         let forearm_t6 = R::from_f64(2.0) * forearm_s1_dot;
         let forearm_s2_dot = sides[16][lane];
         let forearm_t7 = R::from_f64(2.0) * forearm_s2_dot;
         let forearm_s3_dot = sides[17][lane];
         let forearm_t8 = R::from_f64(2.0) * forearm_s3_dot;
-        let forearm_t9 = forearm_t8 * shared[12] - forearm_t7 * shared[13];
-        let forearm_t10 = forearm_t6 * shared[13] - forearm_t8 * shared[14];
-        let forearm_t11 = forearm_t7 * shared[14] - forearm_t6 * shared[12];
+        let shoulder_w_y = shared[12];
+        let shoulder_w_z = shared[13];
+        let forearm_t9 = forearm_t8 * shoulder_w_y - forearm_t7 * shoulder_w_z;
+        let shoulder_w_x = shared[14];
+        let forearm_t10 = forearm_t6 * shoulder_w_z - forearm_t8 * shoulder_w_x;
+        let forearm_t11 = forearm_t7 * shoulder_w_x - forearm_t6 * shoulder_w_y;
         let forearm_t12 = forearm_a_at_joint_x + forearm_t9;
         let forearm_t13 = forearm_a_at_joint_y + forearm_t10;
         let forearm_t14 = forearm_a_at_joint_z + forearm_t11;
-        let forearm_t15 = forearm_cos1 * shared[12] + forearm_sin1 * shared[13];
-        let forearm_t16 = forearm_cos1 * shared[13] - forearm_sin1 * shared[12];
-        let forearm_alpha_of_lower_y = forearm_cos1 * shared[15]
-            + forearm_sin1 * shared[16];
-        let forearm_alpha_of_lower_z = forearm_cos1 * shared[16]
-            - forearm_sin1 * shared[15];
+        let forearm_t15 = forearm_cos1 * shoulder_w_y + forearm_sin1 * shoulder_w_z;
+        let forearm_t16 = forearm_cos1 * shoulder_w_z - forearm_sin1 * shoulder_w_y;
+        let shoulder_alpha_y = shared[15];
+        let shoulder_alpha_z = shared[16];
+        let forearm_alpha_of_lower_y = forearm_cos1 * shoulder_alpha_y
+            + forearm_sin1 * shoulder_alpha_z;
+        let forearm_alpha_of_lower_z = forearm_cos1 * shoulder_alpha_z
+            - forearm_sin1 * shoulder_alpha_y;
         let forearm_theta1_dot = sides[18][lane];
         let forearm_alpha_of_rate_y = forearm_t16 * forearm_theta1_dot;
         let forearm_alpha_of_rate_z = forearm_t15 * forearm_theta1_dot;
         let forearm_t17 = forearm_alpha_of_lower_y + forearm_alpha_of_rate_y;
         let forearm_t18 = forearm_alpha_of_lower_z - forearm_alpha_of_rate_z;
-        let forearm_t19 = shared[14] + forearm_theta1_dot;
+        let forearm_t19 = shoulder_w_x + forearm_theta1_dot;
         let forearm_t20 = forearm_cos1 * forearm_t13 + forearm_sin1 * forearm_t14;
         let forearm_t21 = forearm_cos1 * forearm_t14 - forearm_sin1 * forearm_t13;
         let forearm_t22 = forearm_cos2 * forearm_t16 + forearm_sin2 * forearm_t19;
         let forearm_t23 = forearm_cos2 * forearm_t19 - forearm_sin2 * forearm_t16;
+        let shoulder_minus_alpha_x = shared[17];
         let forearm_alpha_of_lower_z_ = forearm_cos2 * forearm_t18
-            - forearm_sin2 * shared[17];
-        let forearm_minus_alpha_of_lower_x = forearm_cos2 * shared[17]
+            - forearm_sin2 * shoulder_minus_alpha_x;
+        let forearm_minus_alpha_of_lower_x = forearm_cos2 * shoulder_minus_alpha_x
             + forearm_sin2 * forearm_t18;
         let forearm_theta2_dot = sides[19][lane];
         let forearm_alpha_of_rate_z_ = forearm_t23 * forearm_theta2_dot;
@@ -28050,21 +28314,29 @@ fn forward_dynamics_lockstep_3<R: kane::Real>(
     for (lane, _) in sides[0].iter().enumerate() {
         // left_panel: accelerations, outward
         let left_panel_offset_z = sides[0][lane];
+        let hub_alpha_added_y = shared[0];
         let left_panel_offset_y = sides[1][lane];
-        let left_panel_t1 = left_panel_offset_z * shared[0]
-            - left_panel_offset_y * shared[1];
+        let hub_alpha_added_z = shared[1];
+        let left_panel_t1 = left_panel_offset_z * hub_alpha_added_y
+            - left_panel_offset_y * hub_alpha_added_z;
         let left_panel_minus_offset_x = sides[2][lane];
-        let left_panel_t2 = shared[1] * left_panel_minus_offset_x
-            + left_panel_offset_z * shared[2];
-        let left_panel_t3 = left_panel_offset_y * shared[2]
-            + shared[0] * left_panel_minus_offset_x;
-        let left_panel_t4 = shared[3] + left_panel_t1;
-        let left_panel_t5 = shared[4] - left_panel_t2;
-        let left_panel_t6 = shared[5] + left_panel_t3;
+        let hub_alpha_added_x = shared[2];
+        let left_panel_t2 = hub_alpha_added_z * left_panel_minus_offset_x
+            + left_panel_offset_z * hub_alpha_added_x;
+        let left_panel_t3 = left_panel_offset_y * hub_alpha_added_x
+            + hub_alpha_added_y * left_panel_minus_offset_x;
+        let hub_a_added_x = shared[3];
+        let left_panel_t4 = hub_a_added_x + left_panel_t1;
+        let hub_a_added_y = shared[4];
+        let left_panel_t5 = hub_a_added_y - left_panel_t2;
+        let hub_a_added_z = shared[5];
+        let left_panel_t6 = hub_a_added_z + left_panel_t3;
         let left_panel_cos1 = sides[3][lane];
         let left_panel_sin1 = sides[4][lane];
-        let left_panel_t7 = shared[0] * left_panel_cos1 + shared[1] * left_panel_sin1;
-        let left_panel_t8 = shared[1] * left_panel_cos1 - shared[0] * left_panel_sin1;
+        let left_panel_t7 = hub_alpha_added_y * left_panel_cos1
+            + hub_alpha_added_z * left_panel_sin1;
+        let left_panel_t8 = hub_alpha_added_z * left_panel_cos1
+            - hub_alpha_added_y * left_panel_sin1;
         let left_panel_t9 = left_panel_t5 * left_panel_cos1
             + left_panel_t6 * left_panel_sin1;
         let left_panel_t10 = left_panel_t6 * left_panel_cos1
@@ -28072,7 +28344,7 @@ fn forward_dynamics_lockstep_3<R: kane::Real>(
         let left_panel_cos2 = sides[5][lane];
         let left_panel_t11 = left_panel_t8 * left_panel_cos2;
         let left_panel_sin2 = sides[6][lane];
-        let left_panel_t12 = shared[2] * left_panel_cos2
+        let left_panel_t12 = hub_alpha_added_x * left_panel_cos2
             - left_panel_t8 * left_panel_sin2;
         let left_panel_t13 = left_panel_t10 * left_panel_cos2
             + left_panel_t4 * left_panel_sin2;
@@ -28106,7 +28378,7 @@ fn forward_dynamics_lockstep_3<R: kane::Real>(
         solved[1][lane] = left_panel_t25;
         let left_panel_alpha_added_z = sides[14][lane];
         let left_panel_t26 = left_panel_alpha_added_z
-            - (left_panel_t11 + left_panel_sin2 * (shared[2] + left_panel_t24));
+            - (left_panel_t11 + left_panel_sin2 * (hub_alpha_added_x + left_panel_t24));
         solved[2][lane] = left_panel_t26;
         let left_panel_t27 = left_panel_cos3 * left_panel_t21
             - left_panel_sin3 * left_panel_t22;
@@ -28149,26 +28421,36 @@ fn forward_dynamics_lockstep_4<R: kane::Real>(
     for (lane, _) in sides[0].iter().enumerate() {
         // forearm: accelerations, outward
         let forearm_offset_z = sides[0][lane];
+        let shoulder_alpha_added_y = shared[0];
         let forearm_offset_y = sides[1][lane];
-        let forearm_t1 = forearm_offset_z * shared[0] - forearm_offset_y * shared[1];
+        let shoulder_alpha_added_z = shared[1];
+        let forearm_t1 = forearm_offset_z * shoulder_alpha_added_y
+            - forearm_offset_y * shoulder_alpha_added_z;
         let forearm_minus_offset_x = sides[2][lane];
-        let forearm_t2 = shared[1] * forearm_minus_offset_x
-            + forearm_offset_z * shared[2];
-        let forearm_t3 = forearm_offset_y * shared[2]
-            + shared[0] * forearm_minus_offset_x;
-        let forearm_t4 = shared[3] + forearm_t1;
-        let forearm_t5 = shared[4] - forearm_t2;
-        let forearm_t6 = shared[5] + forearm_t3;
+        let shoulder_alpha_added_x = shared[2];
+        let forearm_t2 = shoulder_alpha_added_z * forearm_minus_offset_x
+            + forearm_offset_z * shoulder_alpha_added_x;
+        let forearm_t3 = forearm_offset_y * shoulder_alpha_added_x
+            + shoulder_alpha_added_y * forearm_minus_offset_x;
+        let shoulder_a_added_x = shared[3];
+        let forearm_t4 = shoulder_a_added_x + forearm_t1;
+        let shoulder_a_added_y = shared[4];
+        let forearm_t5 = shoulder_a_added_y - forearm_t2;
+        let shoulder_a_added_z = shared[5];
+        let forearm_t6 = shoulder_a_added_z + forearm_t3;
         let forearm_cos1 = sides[3][lane];
         let forearm_sin1 = sides[4][lane];
-        let forearm_t7 = shared[0] * forearm_cos1 + shared[1] * forearm_sin1;
-        let forearm_t8 = shared[1] * forearm_cos1 - shared[0] * forearm_sin1;
+        let forearm_t7 = shoulder_alpha_added_y * forearm_cos1
+            + shoulder_alpha_added_z * forearm_sin1;
+        let forearm_t8 = shoulder_alpha_added_z * forearm_cos1
+            - shoulder_alpha_added_y * forearm_sin1;
         let forearm_t9 = forearm_t5 * forearm_cos1 + forearm_t6 * forearm_sin1;
         let forearm_t10 = forearm_t6 * forearm_cos1 - forearm_t5 * forearm_sin1;
         let forearm_cos2 = sides[5][lane];
         let forearm_t11 = forearm_t8 * forearm_cos2;
         let forearm_sin2 = sides[6][lane];
-        let forearm_t12 = shared[2] * forearm_cos2 - forearm_t8 * forearm_sin2;
+        let forearm_t12 = shoulder_alpha_added_x * forearm_cos2
+            - forearm_t8 * forearm_sin2;
         let forearm_t13 = forearm_t10 * forearm_cos2 + forearm_t4 * forearm_sin2;
         let forearm_t14 = forearm_t4 * forearm_cos2 - forearm_t10 * forearm_sin2;
         let forearm_cos3 = sides[7][lane];
@@ -28194,7 +28476,7 @@ fn forward_dynamics_lockstep_4<R: kane::Real>(
         solved[1][lane] = forearm_t25;
         let forearm_alpha_added_z = sides[14][lane];
         let forearm_t26 = forearm_alpha_added_z
-            - (forearm_t11 + forearm_sin2 * (shared[2] + forearm_t24));
+            - (forearm_t11 + forearm_sin2 * (shoulder_alpha_added_x + forearm_t24));
         solved[2][lane] = forearm_t26;
         let forearm_t27 = forearm_cos3 * forearm_t21 - forearm_sin3 * forearm_t22;
         let forearm_t28 = forearm_cos3 * forearm_t22 + forearm_sin3 * forearm_t21;
@@ -55760,24 +56042,42 @@ fn loaded_inverse_dynamics_lockstep_1<R: kane::Real>(
         let left_panel_s3 = sides[2][lane];
         let left_panel_offset_z = left_panel_side3 + left_panel_s3;
         // left_panel: velocity and acceleration, outward
-        let left_panel_a_of_offset_x = left_panel_offset_z * shared[2]
-            - (left_panel_offset_x * shared[0] + left_panel_offset_y * shared[1]);
-        let left_panel_a_of_offset_y = left_panel_offset_x * shared[3]
-            - left_panel_offset_y * shared[4] - left_panel_offset_z * shared[5];
-        let left_panel_a_of_offset_z = left_panel_offset_y * shared[7]
-            - left_panel_offset_x * shared[6] - left_panel_offset_z * shared[8];
-        let left_panel_a_at_joint_x = shared[9] + left_panel_a_of_offset_x;
-        let left_panel_a_at_joint_y = shared[10] + left_panel_a_of_offset_y;
-        let left_panel_a_at_joint_z = shared[11] + left_panel_a_of_offset_z;
+        let hub_u_xz = shared[2];
+        let hub_minus_u_xx = shared[0];
+        let hub_minus_u_xy = shared[1];
+        let left_panel_a_of_offset_x = left_panel_offset_z * hub_u_xz
+            - (left_panel_offset_x * hub_minus_u_xx
+                + left_panel_offset_y * hub_minus_u_xy);
+        let hub_u_yx = shared[3];
+        let hub_minus_u_yy = shared[4];
+        let hub_minus_u_yz = shared[5];
+        let left_panel_a_of_offset_y = left_panel_offset_x * hub_u_yx
+            - left_panel_offset_y * hub_minus_u_yy
+            - left_panel_offset_z * hub_minus_u_yz;
+        let hub_u_zy = shared[7];
+        let hub_minus_u_zx = shared[6];
+        let hub_minus_u_zz = shared[8];
+        let left_panel_a_of_offset_z = left_panel_offset_y * hub_u_zy
+            - left_panel_offset_x * hub_minus_u_zx
+            - left_panel_offset_z * hub_minus_u_zz;
+        let hub_a_x = shared[9];
+        let left_panel_a_at_joint_x = hub_a_x + left_panel_a_of_offset_x;
+        let hub_a_y = shared[10];
+        let left_panel_a_at_joint_y = hub_a_y + left_panel_a_of_offset_y;
+        let hub_a_z = shared[11];
+        let left_panel_a_at_joint_z = hub_a_z + left_panel_a_of_offset_z;
         let left_panel_s1_dot = sides[3][lane];
         let left_panel_t1 = R::from_f64(2.0) * left_panel_s1_dot;
         let left_panel_s2_dot = sides[4][lane];
         let left_panel_t2 = R::from_f64(2.0) * left_panel_s2_dot;
         let left_panel_s3_dot = sides[5][lane];
         let left_panel_t3 = R::from_f64(2.0) * left_panel_s3_dot;
-        let left_panel_t4 = left_panel_t3 * shared[12] - left_panel_t2 * shared[13];
-        let left_panel_t5 = left_panel_t1 * shared[13] - left_panel_t3 * shared[14];
-        let left_panel_t6 = left_panel_t2 * shared[14] - left_panel_t1 * shared[12];
+        let hub_w_y = shared[12];
+        let hub_w_z = shared[13];
+        let left_panel_t4 = left_panel_t3 * hub_w_y - left_panel_t2 * hub_w_z;
+        let hub_w_x = shared[14];
+        let left_panel_t5 = left_panel_t1 * hub_w_z - left_panel_t3 * hub_w_x;
+        let left_panel_t6 = left_panel_t2 * hub_w_x - left_panel_t1 * hub_w_y;
         let left_panel_t7 = left_panel_a_at_joint_x + left_panel_t4;
         let left_panel_t8 = left_panel_a_at_joint_y + left_panel_t5;
         let left_panel_t9 = left_panel_a_at_joint_z + left_panel_t6;
@@ -55789,20 +56089,23 @@ fn loaded_inverse_dynamics_lockstep_1<R: kane::Real>(
         let left_panel_t12 = left_panel_t9 + left_panel_s3_ddot;
         let left_panel_cos1 = sides[9][lane];
         let left_panel_sin1 = sides[10][lane];
-        let left_panel_t13 = shared[12] * left_panel_cos1 + shared[13] * left_panel_sin1;
-        let left_panel_t14 = shared[13] * left_panel_cos1 - shared[12] * left_panel_sin1;
-        let left_panel_alpha_of_lower_y = left_panel_cos1 * shared[15]
-            + left_panel_sin1 * shared[16];
-        let left_panel_alpha_of_lower_z = left_panel_cos1 * shared[16]
-            - left_panel_sin1 * shared[15];
+        let left_panel_t13 = hub_w_y * left_panel_cos1 + hub_w_z * left_panel_sin1;
+        let left_panel_t14 = hub_w_z * left_panel_cos1 - hub_w_y * left_panel_sin1;
+        let hub_alpha_y = shared[15];
+        let hub_alpha_z = shared[16];
+        let left_panel_alpha_of_lower_y = left_panel_cos1 * hub_alpha_y
+            + left_panel_sin1 * hub_alpha_z;
+        let left_panel_alpha_of_lower_z = left_panel_cos1 * hub_alpha_z
+            - left_panel_sin1 * hub_alpha_y;
         let left_panel_theta1_dot = sides[11][lane];
         let left_panel_alpha_of_rate_y = left_panel_t14 * left_panel_theta1_dot;
         let left_panel_alpha_of_rate_z = left_panel_t13 * left_panel_theta1_dot;
         let left_panel_t15 = left_panel_alpha_of_lower_y + left_panel_alpha_of_rate_y;
         let left_panel_t16 = left_panel_alpha_of_lower_z - left_panel_alpha_of_rate_z;
+        let hub_alpha_x = shared[17];
         let left_panel_theta1_ddot = sides[12][lane];
-        let left_panel_t17 = shared[17] + left_panel_theta1_ddot;
-        let left_panel_t18 = shared[14] + left_panel_theta1_dot;
+        let left_panel_t17 = hub_alpha_x + left_panel_theta1_ddot;
+        let left_panel_t18 = hub_w_x + left_panel_theta1_dot;
         let left_panel_t19 = left_panel_t11 * left_panel_cos1
             + left_panel_t12 * left_panel_sin1;
         let left_panel_t20 = left_panel_t12 * left_panel_cos1
@@ -56018,24 +56321,42 @@ fn loaded_inverse_dynamics_lockstep_2<R: kane::Real>(
         let forearm_s3 = sides[2][lane];
         let forearm_offset_z = forearm_side3 + forearm_s3;
         // forearm: velocity and acceleration, outward
-        let forearm_a_of_offset_x = forearm_offset_z * shared[2]
-            - (forearm_offset_x * shared[0] + forearm_offset_y * shared[1]);
-        let forearm_a_of_offset_y = forearm_offset_x * shared[3]
-            - forearm_offset_y * shared[4] - forearm_offset_z * shared[5];
-        let forearm_a_of_offset_z = forearm_offset_y * shared[7]
-            - forearm_offset_x * shared[6] - forearm_offset_z * shared[8];
-        let forearm_a_at_joint_x = shared[9] + forearm_a_of_offset_x;
-        let forearm_a_at_joint_y = shared[10] + forearm_a_of_offset_y;
-        let forearm_a_at_joint_z = shared[11] + forearm_a_of_offset_z;
+        let shoulder_u_xz = shared[2];
+        let shoulder_minus_u_xx = shared[0];
+        let shoulder_minus_u_xy = shared[1];
+        let forearm_a_of_offset_x = forearm_offset_z * shoulder_u_xz
+            - (forearm_offset_x * shoulder_minus_u_xx
+                + forearm_offset_y * shoulder_minus_u_xy);
+        let shoulder_u_yx = shared[3];
+        let shoulder_minus_u_yy = shared[4];
+        let shoulder_minus_u_yz = shared[5];
+        let forearm_a_of_offset_y = forearm_offset_x * shoulder_u_yx
+            - forearm_offset_y * shoulder_minus_u_yy
+            - forearm_offset_z * shoulder_minus_u_yz;
+        let shoulder_u_zy = shared[7];
+        let shoulder_minus_u_zx = shared[6];
+        let shoulder_minus_u_zz = shared[8];
+        let forearm_a_of_offset_z = forearm_offset_y * shoulder_u_zy
+            - forearm_offset_x * shoulder_minus_u_zx
+            - forearm_offset_z * shoulder_minus_u_zz;
+        let shoulder_a_x = shared[9];
+        let forearm_a_at_joint_x = shoulder_a_x + forearm_a_of_offset_x;
+        let shoulder_a_y = shared[10];
+        let forearm_a_at_joint_y = shoulder_a_y + forearm_a_of_offset_y;
+        let shoulder_a_z = shared[11];
+        let forearm_a_at_joint_z = shoulder_a_z + forearm_a_of_offset_z;
         let forearm_s1_dot = sides[3][lane];
         let forearm_t1 = R::from_f64(2.0) * forearm_s1_dot;
         let forearm_s2_dot = sides[4][lane];
         let forearm_t2 = R::from_f64(2.0) * forearm_s2_dot;
         let forearm_s3_dot = sides[5][lane];
         let forearm_t3 = R::from_f64(2.0) * forearm_s3_dot;
-        let forearm_t4 = forearm_t3 * shared[12] - forearm_t2 * shared[13];
-        let forearm_t5 = forearm_t1 * shared[13] - forearm_t3 * shared[14];
-        let forearm_t6 = forearm_t2 * shared[14] - forearm_t1 * shared[12];
+        let shoulder_w_y = shared[12];
+        let shoulder_w_z = shared[13];
+        let forearm_t4 = forearm_t3 * shoulder_w_y - forearm_t2 * shoulder_w_z;
+        let shoulder_w_x = shared[14];
+        let forearm_t5 = forearm_t1 * shoulder_w_z - forearm_t3 * shoulder_w_x;
+        let forearm_t6 = forearm_t2 * shoulder_w_x - forearm_t1 * shoulder_w_y;
         let forearm_t7 = forearm_a_at_joint_x + forearm_t4;
         let forearm_t8 = forearm_a_at_joint_y + forearm_t5;
         let forearm_t9 = forearm_a_at_joint_z + forearm_t6;
@@ -56047,20 +56368,23 @@ fn loaded_inverse_dynamics_lockstep_2<R: kane::Real>(
         let forearm_t12 = forearm_t9 + forearm_s3_ddot;
         let forearm_cos1 = sides[9][lane];
         let forearm_sin1 = sides[10][lane];
-        let forearm_t13 = shared[12] * forearm_cos1 + shared[13] * forearm_sin1;
-        let forearm_t14 = shared[13] * forearm_cos1 - shared[12] * forearm_sin1;
-        let forearm_alpha_of_lower_y = forearm_cos1 * shared[15]
-            + forearm_sin1 * shared[16];
-        let forearm_alpha_of_lower_z = forearm_cos1 * shared[16]
-            - forearm_sin1 * shared[15];
+        let forearm_t13 = shoulder_w_y * forearm_cos1 + shoulder_w_z * forearm_sin1;
+        let forearm_t14 = shoulder_w_z * forearm_cos1 - shoulder_w_y * forearm_sin1;
+        let shoulder_alpha_y = shared[15];
+        let shoulder_alpha_z = shared[16];
+        let forearm_alpha_of_lower_y = forearm_cos1 * shoulder_alpha_y
+            + forearm_sin1 * shoulder_alpha_z;
+        let forearm_alpha_of_lower_z = forearm_cos1 * shoulder_alpha_z
+            - forearm_sin1 * shoulder_alpha_y;
         let forearm_theta1_dot = sides[11][lane];
         let forearm_alpha_of_rate_y = forearm_t14 * forearm_theta1_dot;
         let forearm_alpha_of_rate_z = forearm_t13 * forearm_theta1_dot;
         let forearm_t15 = forearm_alpha_of_lower_y + forearm_alpha_of_rate_y;
         let forearm_t16 = forearm_alpha_of_lower_z - forearm_alpha_of_rate_z;
+        let shoulder_alpha_x = shared[17];
         let forearm_theta1_ddot = sides[12][lane];
-        let forearm_t17 = shared[17] + forearm_theta1_ddot;
-        let forearm_t18 = shared[14] + forearm_theta1_dot;
+        let forearm_t17 = shoulder_alpha_x + forearm_theta1_ddot;
+        let forearm_t18 = shoulder_w_x + forearm_theta1_dot;
         let forearm_t19 = forearm_t11 * forearm_cos1 + forearm_t12 * forearm_sin1;
         let forearm_t20 = forearm_t12 * forearm_cos1 - forearm_t11 * forearm_sin1;
         let forearm_cos2 = sides[13][lane];
@@ -57508,36 +57832,52 @@ fn loaded_forward_dynamics_lockstep_1<R: kane::Real>(
         let left_panel_f_past_s2_y = left_panel_cos3 * left_panel_t3
             - left_panel_sin3 * left_panel_t5;
         // left_panel: velocity and acceleration, outward
-        let left_panel_a_of_offset_x = left_panel_offset_z * shared[2]
-            - (left_panel_offset_x * shared[0] + left_panel_offset_y * shared[1]);
-        let left_panel_a_of_offset_y = left_panel_offset_x * shared[3]
-            - left_panel_offset_y * shared[4] + left_panel_offset_z * shared[5];
-        let left_panel_minus_a_of_offset_z = left_panel_offset_x * shared[6]
-            + left_panel_offset_y * shared[7] + left_panel_offset_z * shared[8];
+        let hub_u_xz = shared[2];
+        let hub_minus_u_xx = shared[0];
+        let hub_minus_u_xy = shared[1];
+        let left_panel_a_of_offset_x = left_panel_offset_z * hub_u_xz
+            - (left_panel_offset_x * hub_minus_u_xx
+                + left_panel_offset_y * hub_minus_u_xy);
+        let hub_u_yx = shared[3];
+        let hub_minus_u_yy = shared[4];
+        let hub_u_yz = shared[5];
+        let left_panel_a_of_offset_y = left_panel_offset_x * hub_u_yx
+            - left_panel_offset_y * hub_minus_u_yy + left_panel_offset_z * hub_u_yz;
+        let hub_minus_u_zx = shared[6];
+        let hub_minus_u_zy = shared[7];
+        let hub_minus_u_zz = shared[8];
+        let left_panel_minus_a_of_offset_z = left_panel_offset_x * hub_minus_u_zx
+            + left_panel_offset_y * hub_minus_u_zy
+            + left_panel_offset_z * hub_minus_u_zz;
         let left_panel_s1_dot = sides[15][lane];
         let left_panel_t6 = R::from_f64(2.0) * left_panel_s1_dot;
         let left_panel_s2_dot = sides[16][lane];
         let left_panel_t7 = R::from_f64(2.0) * left_panel_s2_dot;
         let left_panel_s3_dot = sides[17][lane];
         let left_panel_t8 = R::from_f64(2.0) * left_panel_s3_dot;
-        let left_panel_t9 = left_panel_t8 * shared[9] - left_panel_t7 * shared[10];
-        let left_panel_t10 = left_panel_t6 * shared[10] - left_panel_t8 * shared[11];
-        let left_panel_t11 = left_panel_t7 * shared[11] - left_panel_t6 * shared[9];
+        let hub_w_y = shared[9];
+        let hub_w_z = shared[10];
+        let left_panel_t9 = left_panel_t8 * hub_w_y - left_panel_t7 * hub_w_z;
+        let hub_w_x = shared[11];
+        let left_panel_t10 = left_panel_t6 * hub_w_z - left_panel_t8 * hub_w_x;
+        let left_panel_t11 = left_panel_t7 * hub_w_x - left_panel_t6 * hub_w_y;
         let left_panel_t12 = left_panel_a_of_offset_x + left_panel_t9;
         let left_panel_t13 = left_panel_a_of_offset_y + left_panel_t10;
         let left_panel_t14 = left_panel_t11 - left_panel_minus_a_of_offset_z;
-        let left_panel_t15 = left_panel_cos1 * shared[9] + left_panel_sin1 * shared[10];
-        let left_panel_t16 = left_panel_cos1 * shared[10] - left_panel_sin1 * shared[9];
-        let left_panel_alpha_of_lower_y = left_panel_cos1 * shared[12]
-            + left_panel_sin1 * shared[13];
-        let left_panel_alpha_of_lower_z = left_panel_cos1 * shared[13]
-            - left_panel_sin1 * shared[12];
+        let left_panel_t15 = left_panel_cos1 * hub_w_y + left_panel_sin1 * hub_w_z;
+        let left_panel_t16 = left_panel_cos1 * hub_w_z - left_panel_sin1 * hub_w_y;
+        let hub_alpha_y = shared[12];
+        let hub_alpha_z = shared[13];
+        let left_panel_alpha_of_lower_y = left_panel_cos1 * hub_alpha_y
+            + left_panel_sin1 * hub_alpha_z;
+        let left_panel_alpha_of_lower_z = left_panel_cos1 * hub_alpha_z
+            - left_panel_sin1 * hub_alpha_y;
         let left_panel_theta1_dot = sides[18][lane];
         let left_panel_alpha_of_rate_y = left_panel_t16 * left_panel_theta1_dot;
         let left_panel_alpha_of_rate_z = left_panel_t15 * left_panel_theta1_dot;
         let left_panel_t17 = left_panel_alpha_of_lower_y + left_panel_alpha_of_rate_y;
         let left_panel_t18 = left_panel_alpha_of_lower_z - left_panel_alpha_of_rate_z;
-        let left_panel_t19 = shared[11] + left_panel_theta1_dot;
+        let left_panel_t19 = hub_w_x + left_panel_theta1_dot;
         let left_panel_t20 = left_panel_cos1 * left_panel_t13
             + left_panel_sin1 * left_panel_t14;
         let left_panel_t21 = left_panel_cos1 * left_panel_t14
@@ -57546,9 +57886,10 @@ fn loaded_forward_dynamics_lockstep_1<R: kane::Real>(
             + left_panel_sin2 * left_panel_t19;
         let left_panel_t23 = left_panel_cos2 * left_panel_t19
             - left_panel_sin2 * left_panel_t16;
+        let hub_minus_alpha_x = shared[14];
         let left_panel_alpha_of_lower_z_ = left_panel_cos2 * left_panel_t18
-            - left_panel_sin2 * shared[14];
-        let left_panel_minus_alpha_of_lower_x = left_panel_cos2 * shared[14]
+            - left_panel_sin2 * hub_minus_alpha_x;
+        let left_panel_minus_alpha_of_lower_x = left_panel_cos2 * hub_minus_alpha_x
             + left_panel_sin2 * left_panel_t18;
         let left_panel_theta2_dot = sides[19][lane];
         let left_panel_alpha_of_rate_z_ = left_panel_t23 * left_panel_theta2_dot;
@@ -57841,46 +58182,66 @@ fn loaded_forward_dynamics_lockstep_2<R: kane::Real>(
         let forearm_f_past_s1_x = forearm_cos3 * forearm_t5 + forearm_sin3 * forearm_t3;
         let forearm_f_past_s2_y = forearm_cos3 * forearm_t3 - forearm_sin3 * forearm_t5;
         // forearm: velocity and acceleration, outward
-        let forearm_a_of_offset_x = forearm_offset_z * shared[2]
-            - (forearm_offset_x * shared[0] + forearm_offset_y * shared[1]);
-        let forearm_a_of_offset_y = forearm_offset_x * shared[3]
-            - forearm_offset_y * shared[4] + forearm_offset_z * shared[5];
-        let forearm_minus_a_of_offset_z = forearm_offset_x * shared[6]
-            + forearm_offset_y * shared[7] + forearm_offset_z * shared[8];
-        let forearm_a_at_joint_x = shared[9] + forearm_a_of_offset_x;
-        let forearm_a_at_joint_y = forearm_a_of_offset_y - shared[10];
-        let forearm_a_at_joint_z = shared[11] - forearm_minus_a_of_offset_z;
+        let shoulder_u_xz = shared[2];
+        let shoulder_minus_u_xx = shared[0];
+        let shoulder_minus_u_xy = shared[1];
+        let forearm_a_of_offset_x = forearm_offset_z * shoulder_u_xz
+            - (forearm_offset_x * shoulder_minus_u_xx
+                + forearm_offset_y * shoulder_minus_u_xy);
+        let shoulder_u_yx = shared[3];
+        let shoulder_minus_u_yy = shared[4];
+        let shoulder_u_yz = shared[5];
+        let forearm_a_of_offset_y = forearm_offset_x * shoulder_u_yx
+            - forearm_offset_y * shoulder_minus_u_yy + forearm_offset_z * shoulder_u_yz;
+        let shoulder_minus_u_zx = shared[6];
+        let shoulder_minus_u_zy = shared[7];
+        let shoulder_minus_u_zz = shared[8];
+        let forearm_minus_a_of_offset_z = forearm_offset_x * shoulder_minus_u_zx
+            + forearm_offset_y * shoulder_minus_u_zy
+            + forearm_offset_z * shoulder_minus_u_zz;
+        let shoulder_a_x = shared[9];
+        let forearm_a_at_joint_x = shoulder_a_x + forearm_a_of_offset_x;
+        let shoulder_minus_a_y = shared[10];
+        let forearm_a_at_joint_y = forearm_a_of_offset_y - shoulder_minus_a_y;
+        let shoulder_a_z = shared[11];
+        let forearm_a_at_joint_z = shoulder_a_z - forearm_minus_a_of_offset_z;
         let forearm_s1_dot = sides[15][lane];
         let forearm_t6 = R::from_f64(2.0) * forearm_s1_dot;
         let forearm_s2_dot = sides[16][lane];
         let forearm_t7 = R::from_f64(2.0) * forearm_s2_dot;
         let forearm_s3_dot = sides[17][lane];
         let forearm_t8 = R::from_f64(2.0) * forearm_s3_dot;
-        let forearm_t9 = forearm_t8 * shared[12] - forearm_t7 * shared[13];
-        let forearm_t10 = forearm_t6 * shared[13] - forearm_t8 * shared[14];
-        let forearm_t11 = forearm_t7 * shared[14] - forearm_t6 * shared[12];
+        let shoulder_w_y = shared[12];
+        let shoulder_w_z = shared[13];
+        let forearm_t9 = forearm_t8 * shoulder_w_y - forearm_t7 * shoulder_w_z;
+        let shoulder_w_x = shared[14];
+        let forearm_t10 = forearm_t6 * shoulder_w_z - forearm_t8 * shoulder_w_x;
+        let forearm_t11 = forearm_t7 * shoulder_w_x - forearm_t6 * shoulder_w_y;
         let forearm_t12 = forearm_a_at_joint_x + forearm_t9;
         let forearm_t13 = forearm_a_at_joint_y + forearm_t10;
         let forearm_t14 = forearm_a_at_joint_z + forearm_t11;
-        let forearm_t15 = forearm_cos1 * shared[12] + forearm_sin1 * shared[13];
-        let forearm_t16 = forearm_cos1 * shared[13] - forearm_sin1 * shared[12];
-        let forearm_alpha_of_lower_y = forearm_cos1 * shared[15]
-            + forearm_sin1 * shared[16];
-        let forearm_alpha_of_lower_z = forearm_cos1 * shared[16]
-            - forearm_sin1 * shared[15];
+        let forearm_t15 = forearm_cos1 * shoulder_w_y + forearm_sin1 * shoulder_w_z;
+        let forearm_t16 = forearm_cos1 * shoulder_w_z - forearm_sin1 * shoulder_w_y;
+        let shoulder_alpha_y = shared[15];
+        let shoulder_alpha_z = shared[16];
+        let forearm_alpha_of_lower_y = forearm_cos1 * shoulder_alpha_y
+            + forearm_sin1 * shoulder_alpha_z;
+        let forearm_alpha_of_lower_z = forearm_cos1 * shoulder_alpha_z
+            - forearm_sin1 * shoulder_alpha_y;
         let forearm_theta1_dot = sides[18][lane];
         let forearm_alpha_of_rate_y = forearm_t16 * forearm_theta1_dot;
         let forearm_alpha_of_rate_z = forearm_t15 * forearm_theta1_dot;
         let forearm_t17 = forearm_alpha_of_lower_y + forearm_alpha_of_rate_y;
         let forearm_t18 = forearm_alpha_of_lower_z - forearm_alpha_of_rate_z;
-        let forearm_t19 = shared[14] + forearm_theta1_dot;
+        let forearm_t19 = shoulder_w_x + forearm_theta1_dot;
         let forearm_t20 = forearm_cos1 * forearm_t13 + forearm_sin1 * forearm_t14;
         let forearm_t21 = forearm_cos1 * forearm_t14 - forearm_sin1 * forearm_t13;
         let forearm_t22 = forearm_cos2 * forearm_t16 + forearm_sin2 * forearm_t19;
         let forearm_t23 = forearm_cos2 * forearm_t19 - forearm_sin2 * forearm_t16;
+        let shoulder_minus_alpha_x = shared[17];
         let forearm_alpha_of_lower_z_ = forearm_cos2 * forearm_t18
-            - forearm_sin2 * shared[17];
-        let forearm_minus_alpha_of_lower_x = forearm_cos2 * shared[17]
+            - forearm_sin2 * shoulder_minus_alpha_x;
+        let forearm_minus_alpha_of_lower_x = forearm_cos2 * shoulder_minus_alpha_x
             + forearm_sin2 * forearm_t18;
         let forearm_theta2_dot = sides[19][lane];
         let forearm_alpha_of_rate_z_ = forearm_t23 * forearm_theta2_dot;
@@ -58104,21 +58465,29 @@ fn loaded_forward_dynamics_lockstep_3<R: kane::Real>(
     for (lane, _) in sides[0].iter().enumerate() {
         // left_panel: accelerations, outward
         let left_panel_offset_z = sides[0][lane];
+        let hub_alpha_added_y = shared[0];
         let left_panel_offset_y = sides[1][lane];
-        let left_panel_t1 = left_panel_offset_z * shared[0]
-            - left_panel_offset_y * shared[1];
+        let hub_alpha_added_z = shared[1];
+        let left_panel_t1 = left_panel_offset_z * hub_alpha_added_y
+            - left_panel_offset_y * hub_alpha_added_z;
         let left_panel_minus_offset_x = sides[2][lane];
-        let left_panel_t2 = shared[1] * left_panel_minus_offset_x
-            + left_panel_offset_z * shared[2];
-        let left_panel_t3 = left_panel_offset_y * shared[2]
-            + shared[0] * left_panel_minus_offset_x;
-        let left_panel_t4 = shared[3] + left_panel_t1;
-        let left_panel_t5 = shared[4] - left_panel_t2;
-        let left_panel_t6 = shared[5] + left_panel_t3;
+        let hub_alpha_added_x = shared[2];
+        let left_panel_t2 = hub_alpha_added_z * left_panel_minus_offset_x
+            + left_panel_offset_z * hub_alpha_added_x;
+        let left_panel_t3 = left_panel_offset_y * hub_alpha_added_x
+            + hub_alpha_added_y * left_panel_minus_offset_x;
+        let hub_a_added_x = shared[3];
+        let left_panel_t4 = hub_a_added_x + left_panel_t1;
+        let hub_a_added_y = shared[4];
+        let left_panel_t5 = hub_a_added_y - left_panel_t2;
+        let hub_a_added_z = shared[5];
+        let left_panel_t6 = hub_a_added_z + left_panel_t3;
         let left_panel_cos1 = sides[3][lane];
         let left_panel_sin1 = sides[4][lane];
-        let left_panel_t7 = shared[0] * left_panel_cos1 + shared[1] * left_panel_sin1;
-        let left_panel_t8 = shared[1] * left_panel_cos1 - shared[0] * left_panel_sin1;
+        let left_panel_t7 = hub_alpha_added_y * left_panel_cos1
+            + hub_alpha_added_z * left_panel_sin1;
+        let left_panel_t8 = hub_alpha_added_z * left_panel_cos1
+            - hub_alpha_added_y * left_panel_sin1;
         let left_panel_t9 = left_panel_t5 * left_panel_cos1
             + left_panel_t6 * left_panel_sin1;
         let left_panel_t10 = left_panel_t6 * left_panel_cos1
@@ -58126,7 +58495,7 @@ fn loaded_forward_dynamics_lockstep_3<R: kane::Real>(
         let left_panel_cos2 = sides[5][lane];
         let left_panel_t11 = left_panel_t8 * left_panel_cos2;
         let left_panel_sin2 = sides[6][lane];
-        let left_panel_t12 = shared[2] * left_panel_cos2
+        let left_panel_t12 = hub_alpha_added_x * left_panel_cos2
             - left_panel_t8 * left_panel_sin2;
         let left_panel_t13 = left_panel_t10 * left_panel_cos2
             + left_panel_t4 * left_panel_sin2;
@@ -58160,7 +58529,7 @@ fn loaded_forward_dynamics_lockstep_3<R: kane::Real>(
         solved[1][lane] = left_panel_t25;
         let left_panel_alpha_added_z = sides[14][lane];
         let left_panel_t26 = left_panel_alpha_added_z
-            - (left_panel_t11 + left_panel_sin2 * (shared[2] + left_panel_t24));
+            - (left_panel_t11 + left_panel_sin2 * (hub_alpha_added_x + left_panel_t24));
         solved[2][lane] = left_panel_t26;
         let left_panel_t27 = left_panel_cos3 * left_panel_t21
             - left_panel_sin3 * left_panel_t22;
@@ -58203,26 +58572,36 @@ fn loaded_forward_dynamics_lockstep_4<R: kane::Real>(
     for (lane, _) in sides[0].iter().enumerate() {
         // forearm: accelerations, outward
         let forearm_offset_z = sides[0][lane];
+        let shoulder_alpha_added_y = shared[0];
         let forearm_offset_y = sides[1][lane];
-        let forearm_t1 = forearm_offset_z * shared[0] - forearm_offset_y * shared[1];
+        let shoulder_alpha_added_z = shared[1];
+        let forearm_t1 = forearm_offset_z * shoulder_alpha_added_y
+            - forearm_offset_y * shoulder_alpha_added_z;
         let forearm_minus_offset_x = sides[2][lane];
-        let forearm_t2 = shared[1] * forearm_minus_offset_x
-            + forearm_offset_z * shared[2];
-        let forearm_t3 = forearm_offset_y * shared[2]
-            + shared[0] * forearm_minus_offset_x;
-        let forearm_t4 = shared[3] + forearm_t1;
-        let forearm_t5 = shared[4] - forearm_t2;
-        let forearm_t6 = shared[5] + forearm_t3;
+        let shoulder_alpha_added_x = shared[2];
+        let forearm_t2 = shoulder_alpha_added_z * forearm_minus_offset_x
+            + forearm_offset_z * shoulder_alpha_added_x;
+        let forearm_t3 = forearm_offset_y * shoulder_alpha_added_x
+            + shoulder_alpha_added_y * forearm_minus_offset_x;
+        let shoulder_a_added_x = shared[3];
+        let forearm_t4 = shoulder_a_added_x + forearm_t1;
+        let shoulder_a_added_y = shared[4];
+        let forearm_t5 = shoulder_a_added_y - forearm_t2;
+        let shoulder_a_added_z = shared[5];
+        let forearm_t6 = shoulder_a_added_z + forearm_t3;
         let forearm_cos1 = sides[3][lane];
         let forearm_sin1 = sides[4][lane];
-        let forearm_t7 = shared[0] * forearm_cos1 + shared[1] * forearm_sin1;
-        let forearm_t8 = shared[1] * forearm_cos1 - shared[0] * forearm_sin1;
+        let forearm_t7 = shoulder_alpha_added_y * forearm_cos1
+            + shoulder_alpha_added_z * forearm_sin1;
+        let forearm_t8 = shoulder_alpha_added_z * forearm_cos1
+            - shoulder_alpha_added_y * forearm_sin1;
         let forearm_t9 = forearm_t5 * forearm_cos1 + forearm_t6 * forearm_sin1;
         let forearm_t10 = forearm_t6 * forearm_cos1 - forearm_t5 * forearm_sin1;
         let forearm_cos2 = sides[5][lane];
         let forearm_t11 = forearm_t8 * forearm_cos2;
         let forearm_sin2 = sides[6][lane];
-        let forearm_t12 = shared[2] * forearm_cos2 - forearm_t8 * forearm_sin2;
+        let forearm_t12 = shoulder_alpha_added_x * forearm_cos2
+            - forearm_t8 * forearm_sin2;
         let forearm_t13 = forearm_t10 * forearm_cos2 + forearm_t4 * forearm_sin2;
         let forearm_t14 = forearm_t4 * forearm_cos2 - forearm_t10 * forearm_sin2;
         let forearm_cos3 = sides[7][lane];
@@ -58248,7 +58627,7 @@ fn loaded_forward_dynamics_lockstep_4<R: kane::Real>(
         solved[1][lane] = forearm_t25;
         let forearm_alpha_added_z = sides[14][lane];
         let forearm_t26 = forearm_alpha_added_z
-            - (forearm_t11 + forearm_sin2 * (shared[2] + forearm_t24));
+            - (forearm_t11 + forearm_sin2 * (shoulder_alpha_added_x + forearm_t24));
         solved[2][lane] = forearm_t26;
         let forearm_t27 = forearm_cos3 * forearm_t21 - forearm_sin3 * forearm_t22;
         let forearm_t28 = forearm_cos3 * forearm_t22 + forearm_sin3 * forearm_t21;
@@ -60517,24 +60896,42 @@ fn joint_wrenches_lockstep_1<R: kane::Real>(
         let left_panel_s3 = sides[2][lane];
         let left_panel_offset_z = left_panel_side3 + left_panel_s3;
         // left_panel: velocity and acceleration, outward
-        let left_panel_a_of_offset_x = left_panel_offset_z * shared[2]
-            - (left_panel_offset_x * shared[0] + left_panel_offset_y * shared[1]);
-        let left_panel_a_of_offset_y = left_panel_offset_x * shared[3]
-            - left_panel_offset_y * shared[4] - left_panel_offset_z * shared[5];
-        let left_panel_a_of_offset_z = left_panel_offset_y * shared[7]
-            - left_panel_offset_x * shared[6] - left_panel_offset_z * shared[8];
-        let left_panel_a_at_joint_x = shared[9] + left_panel_a_of_offset_x;
-        let left_panel_a_at_joint_y = shared[10] + left_panel_a_of_offset_y;
-        let left_panel_a_at_joint_z = shared[11] + left_panel_a_of_offset_z;
+        let hub_u_xz = shared[2];
+        let hub_minus_u_xx = shared[0];
+        let hub_minus_u_xy = shared[1];
+        let left_panel_a_of_offset_x = left_panel_offset_z * hub_u_xz
+            - (left_panel_offset_x * hub_minus_u_xx
+                + left_panel_offset_y * hub_minus_u_xy);
+        let hub_u_yx = shared[3];
+        let hub_minus_u_yy = shared[4];
+        let hub_minus_u_yz = shared[5];
+        let left_panel_a_of_offset_y = left_panel_offset_x * hub_u_yx
+            - left_panel_offset_y * hub_minus_u_yy
+            - left_panel_offset_z * hub_minus_u_yz;
+        let hub_u_zy = shared[7];
+        let hub_minus_u_zx = shared[6];
+        let hub_minus_u_zz = shared[8];
+        let left_panel_a_of_offset_z = left_panel_offset_y * hub_u_zy
+            - left_panel_offset_x * hub_minus_u_zx
+            - left_panel_offset_z * hub_minus_u_zz;
+        let hub_a_x = shared[9];
+        let left_panel_a_at_joint_x = hub_a_x + left_panel_a_of_offset_x;
+        let hub_a_y = shared[10];
+        let left_panel_a_at_joint_y = hub_a_y + left_panel_a_of_offset_y;
+        let hub_a_z = shared[11];
+        let left_panel_a_at_joint_z = hub_a_z + left_panel_a_of_offset_z;
         let left_panel_s1_dot = sides[3][lane];
         let left_panel_t1 = R::from_f64(2.0) * left_panel_s1_dot;
         let left_panel_s2_dot = sides[4][lane];
         let left_panel_t2 = R::from_f64(2.0) * left_panel_s2_dot;
         let left_panel_s3_dot = sides[5][lane];
         let left_panel_t3 = R::from_f64(2.0) * left_panel_s3_dot;
-        let left_panel_t4 = left_panel_t3 * shared[12] - left_panel_t2 * shared[13];
-        let left_panel_t5 = left_panel_t1 * shared[13] - left_panel_t3 * shared[14];
-        let left_panel_t6 = left_panel_t2 * shared[14] - left_panel_t1 * shared[12];
+        let hub_w_y = shared[12];
+        let hub_w_z = shared[13];
+        let left_panel_t4 = left_panel_t3 * hub_w_y - left_panel_t2 * hub_w_z;
+        let hub_w_x = shared[14];
+        let left_panel_t5 = left_panel_t1 * hub_w_z - left_panel_t3 * hub_w_x;
+        let left_panel_t6 = left_panel_t2 * hub_w_x - left_panel_t1 * hub_w_y;
         let left_panel_t7 = left_panel_a_at_joint_x + left_panel_t4;
         let left_panel_t8 = left_panel_a_at_joint_y + left_panel_t5;
         let left_panel_t9 = left_panel_a_at_joint_z + left_panel_t6;
@@ -60546,20 +60943,23 @@ fn joint_wrenches_lockstep_1<R: kane::Real>(
         let left_panel_t12 = left_panel_t9 + left_panel_s3_ddot;
         let left_panel_cos1 = sides[9][lane];
         let left_panel_sin1 = sides[10][lane];
-        let left_panel_t13 = shared[12] * left_panel_cos1 + shared[13] * left_panel_sin1;
-        let left_panel_t14 = shared[13] * left_panel_cos1 - shared[12] * left_panel_sin1;
-        let left_panel_alpha_of_lower_y = left_panel_cos1 * shared[15]
-            + left_panel_sin1 * shared[16];
-        let left_panel_alpha_of_lower_z = left_panel_cos1 * shared[16]
-            - left_panel_sin1 * shared[15];
+        let left_panel_t13 = hub_w_y * left_panel_cos1 + hub_w_z * left_panel_sin1;
+        let left_panel_t14 = hub_w_z * left_panel_cos1 - hub_w_y * left_panel_sin1;
+        let hub_alpha_y = shared[15];
+        let hub_alpha_z = shared[16];
+        let left_panel_alpha_of_lower_y = left_panel_cos1 * hub_alpha_y
+            + left_panel_sin1 * hub_alpha_z;
+        let left_panel_alpha_of_lower_z = left_panel_cos1 * hub_alpha_z
+            - left_panel_sin1 * hub_alpha_y;
         let left_panel_theta1_dot = sides[11][lane];
         let left_panel_alpha_of_rate_y = left_panel_t14 * left_panel_theta1_dot;
         let left_panel_alpha_of_rate_z = left_panel_t13 * left_panel_theta1_dot;
         let left_panel_t15 = left_panel_alpha_of_lower_y + left_panel_alpha_of_rate_y;
         let left_panel_t16 = left_panel_alpha_of_lower_z - left_panel_alpha_of_rate_z;
+        let hub_alpha_x = shared[17];
         let left_panel_theta1_ddot = sides[12][lane];
-        let left_panel_t17 = shared[17] + left_panel_theta1_ddot;
-        let left_panel_t18 = shared[14] + left_panel_theta1_dot;
+        let left_panel_t17 = hub_alpha_x + left_panel_theta1_ddot;
+        let left_panel_t18 = hub_w_x + left_panel_theta1_dot;
         let left_panel_t19 = left_panel_t11 * left_panel_cos1
             + left_panel_t12 * left_panel_sin1;
         let left_panel_t20 = left_panel_t12 * left_panel_cos1
@@ -60778,24 +61178,42 @@ fn joint_wrenches_lockstep_2<R: kane::Real>(
         let forearm_s3 = sides[2][lane];
         let forearm_offset_z = forearm_side3 + forearm_s3;
         // forearm: velocity and acceleration, outward
-        let forearm_a_of_offset_x = forearm_offset_z * shared[2]
-            - (forearm_offset_x * shared[0] + forearm_offset_y * shared[1]);
-        let forearm_a_of_offset_y = forearm_offset_x * shared[3]
-            - forearm_offset_y * shared[4] - forearm_offset_z * shared[5];
-        let forearm_a_of_offset_z = forearm_offset_y * shared[7]
-            - forearm_offset_x * shared[6] - forearm_offset_z * shared[8];
-        let forearm_a_at_joint_x = shared[9] + forearm_a_of_offset_x;
-        let forearm_a_at_joint_y = shared[10] + forearm_a_of_offset_y;
-        let forearm_a_at_joint_z = shared[11] + forearm_a_of_offset_z;
+        let shoulder_u_xz = shared[2];
+        let shoulder_minus_u_xx = shared[0];
+        let shoulder_minus_u_xy = shared[1];
+        let forearm_a_of_offset_x = forearm_offset_z * shoulder_u_xz
+            - (forearm_offset_x * shoulder_minus_u_xx
+                + forearm_offset_y * shoulder_minus_u_xy);
+        let shoulder_u_yx = shared[3];
+        let shoulder_minus_u_yy = shared[4];
+        let shoulder_minus_u_yz = shared[5];
+        let forearm_a_of_offset_y = forearm_offset_x * shoulder_u_yx
+            - forearm_offset_y * shoulder_minus_u_yy
+            - forearm_offset_z * shoulder_minus_u_yz;
+        let shoulder_u_zy = shared[7];
+        let shoulder_minus_u_zx = shared[6];
+        let shoulder_minus_u_zz = shared[8];
+        let forearm_a_of_offset_z = forearm_offset_y * shoulder_u_zy
+            - forearm_offset_x * shoulder_minus_u_zx
+            - forearm_offset_z * shoulder_minus_u_zz;
+        let shoulder_a_x = shared[9];
+        let forearm_a_at_joint_x = shoulder_a_x + forearm_a_of_offset_x;
+        let shoulder_a_y = shared[10];
+        let forearm_a_at_joint_y = shoulder_a_y + forearm_a_of_offset_y;
+        let shoulder_a_z = shared[11];
+        let forearm_a_at_joint_z = shoulder_a_z + forearm_a_of_offset_z;
         let forearm_s1_dot = sides[3][lane];
         let forearm_t1 = R::from_f64(2.0) * forearm_s1_dot;
         let forearm_s2_dot = sides[4][lane];
         let forearm_t2 = R::from_f64(2.0) * forearm_s2_dot;
         let forearm_s3_dot = sides[5][lane];
         let forearm_t3 = R::from_f64(2.0) * forearm_s3_dot;
-        let forearm_t4 = forearm_t3 * shared[12] - forearm_t2 * shared[13];
-        let forearm_t5 = forearm_t1 * shared[13] - forearm_t3 * shared[14];
-        let forearm_t6 = forearm_t2 * shared[14] - forearm_t1 * shared[12];
+        let shoulder_w_y = shared[12];
+        let shoulder_w_z = shared[13];
+        let forearm_t4 = forearm_t3 * shoulder_w_y - forearm_t2 * shoulder_w_z;
+        let shoulder_w_x = shared[14];
+        let forearm_t5 = forearm_t1 * shoulder_w_z - forearm_t3 * shoulder_w_x;
+        let forearm_t6 = forearm_t2 * shoulder_w_x - forearm_t1 * shoulder_w_y;
         let forearm_t7 = forearm_a_at_joint_x + forearm_t4;
         let forearm_t8 = forearm_a_at_joint_y + forearm_t5;
         let forearm_t9 = forearm_a_at_joint_z + forearm_t6;
@@ -60807,20 +61225,23 @@ fn joint_wrenches_lockstep_2<R: kane::Real>(
         let forearm_t12 = forearm_t9 + forearm_s3_ddot;
         let forearm_cos1 = sides[9][lane];
         let forearm_sin1 = sides[10][lane];
-        let forearm_t13 = shared[12] * forearm_cos1 + shared[13] * forearm_sin1;
-        let forearm_t14 = shared[13] * forearm_cos1 - shared[12] * forearm_sin1;
-        let forearm_alpha_of_lower_y = forearm_cos1 * shared[15]
-            + forearm_sin1 * shared[16];
-        let forearm_alpha_of_lower_z = forearm_cos1 * shared[16]
-            - forearm_sin1 * shared[15];
+        let forearm_t13 = shoulder_w_y * forearm_cos1 + shoulder_w_z * forearm_sin1;
+        let forearm_t14 = shoulder_w_z * forearm_cos1 - shoulder_w_y * forearm_sin1;
+        let shoulder_alpha_y = shared[15];
+        let shoulder_alpha_z = shared[16];
+        let forearm_alpha_of_lower_y = forearm_cos1 * shoulder_alpha_y
+            + forearm_sin1 * shoulder_alpha_z;
+        let forearm_alpha_of_lower_z = forearm_cos1 * shoulder_alpha_z
+            - forearm_sin1 * shoulder_alpha_y;
         let forearm_theta1_dot = sides[11][lane];
         let forearm_alpha_of_rate_y = forearm_t14 * forearm_theta1_dot;
         let forearm_alpha_of_rate_z = forearm_t13 * forearm_theta1_dot;
         let forearm_t15 = forearm_alpha_of_lower_y + forearm_alpha_of_rate_y;
         let forearm_t16 = forearm_alpha_of_lower_z - forearm_alpha_of_rate_z;
+        let shoulder_alpha_x = shared[17];
         let forearm_theta1_ddot = sides[12][lane];
-        let forearm_t17 = shared[17] + forearm_theta1_ddot;
-        let forearm_t18 = shared[14] + forearm_theta1_dot;
+        let forearm_t17 = shoulder_alpha_x + forearm_theta1_ddot;
+        let forearm_t18 = shoulder_w_x + forearm_theta1_dot;
         let forearm_t19 = forearm_t11 * forearm_cos1 + forearm_t12 * forearm_sin1;
         let forearm_t20 = forearm_t12 * forearm_cos1 - forearm_t11 * forearm_sin1;
         let forearm_cos2 = sides[13][lane];
@@ -63976,29 +64397,39 @@ fn centroidal_momentum_matrix_lockstep_1<R: kane::Real>(
         solved[22][lane] = left_panel_t51;
         let left_panel_t52 = left_panel_t36 - left_panel_sin1 * left_panel_t17;
         solved[23][lane] = left_panel_t52;
-        let left_panel_t53 = left_panel_t32 * shared[0] + left_panel_t45 * shared[1]
-            - left_panel_t46 * shared[2];
+        let hub_rot_xx = shared[0];
+        let hub_minus_rot_yx = shared[1];
+        let hub_sin2 = shared[2];
+        let left_panel_t53 = left_panel_t32 * hub_rot_xx
+            + left_panel_t45 * hub_minus_rot_yx - left_panel_t46 * hub_sin2;
         solved[24][lane] = left_panel_t53;
-        let left_panel_t54 = left_panel_t32 * shared[3] - left_panel_t45 * shared[4]
-            + left_panel_t46 * shared[5];
+        let hub_rot_xy = shared[3];
+        let hub_rot_yy = shared[4];
+        let hub_minus_rot_zy = shared[5];
+        let left_panel_t54 = left_panel_t32 * hub_rot_xy - left_panel_t45 * hub_rot_yy
+            + left_panel_t46 * hub_minus_rot_zy;
         solved[25][lane] = left_panel_t54;
-        let left_panel_t55 = left_panel_t32 * shared[6] + left_panel_t45 * shared[7]
-            + left_panel_t46 * shared[8];
+        let hub_minus_rot_xz = shared[6];
+        let hub_rot_yz = shared[7];
+        let hub_rot_zz = shared[8];
+        let left_panel_t55 = left_panel_t32 * hub_minus_rot_xz
+            + left_panel_t45 * hub_rot_yz + left_panel_t46 * hub_rot_zz;
         solved[26][lane] = left_panel_t55;
-        let left_panel_t56 = -(left_panel_t49 * shared[1] - left_panel_t3 * shared[0]
-            + left_panel_t50 * shared[2]);
+        let left_panel_t56 = -(left_panel_t49 * hub_minus_rot_yx
+            - left_panel_t3 * hub_rot_xx + left_panel_t50 * hub_sin2);
         solved[27][lane] = left_panel_t56;
-        let left_panel_t57 = left_panel_t3 * shared[3] + left_panel_t49 * shared[4]
-            + left_panel_t50 * shared[5];
+        let left_panel_t57 = left_panel_t3 * hub_rot_xy + left_panel_t49 * hub_rot_yy
+            + left_panel_t50 * hub_minus_rot_zy;
         solved[28][lane] = left_panel_t57;
-        let left_panel_t58 = left_panel_t3 * shared[6] - left_panel_t49 * shared[7]
-            + left_panel_t50 * shared[8];
+        let left_panel_t58 = left_panel_t3 * hub_minus_rot_xz
+            - left_panel_t49 * hub_rot_yz + left_panel_t50 * hub_rot_zz;
         solved[29][lane] = left_panel_t58;
-        let left_panel_t59 = left_panel_t6 * shared[1] + left_panel_t5 * shared[2];
+        let left_panel_t59 = left_panel_t6 * hub_minus_rot_yx + left_panel_t5 * hub_sin2;
         solved[30][lane] = left_panel_t59;
-        let left_panel_t60 = left_panel_t6 * shared[4] + left_panel_t5 * shared[5];
+        let left_panel_t60 = left_panel_t6 * hub_rot_yy
+            + left_panel_t5 * hub_minus_rot_zy;
         solved[31][lane] = left_panel_t60;
-        let left_panel_t61 = left_panel_t6 * shared[7] - left_panel_t5 * shared[8];
+        let left_panel_t61 = left_panel_t6 * hub_rot_yz - left_panel_t5 * hub_rot_zz;
         solved[32][lane] = left_panel_t61;
         let left_panel_t62 = left_panel_t4 + left_panel_t10;
         let left_panel_t63 = left_panel_t5 + left_panel_t11;
@@ -64153,29 +64584,40 @@ fn centroidal_momentum_matrix_lockstep_2<R: kane::Real>(
         solved[22][lane] = forearm_t51;
         let forearm_t52 = forearm_t36 + forearm_sin1 * forearm_t17;
         solved[23][lane] = forearm_t52;
-        let forearm_t53 = forearm_t32 * shared[0] + forearm_t45 * shared[1]
-            - forearm_t46 * shared[2];
+        let shoulder_rot_xx = shared[0];
+        let shoulder_minus_rot_yx = shared[1];
+        let shoulder_rot_zx = shared[2];
+        let forearm_t53 = forearm_t32 * shoulder_rot_xx
+            + forearm_t45 * shoulder_minus_rot_yx - forearm_t46 * shoulder_rot_zx;
         solved[24][lane] = forearm_t53;
-        let forearm_t54 = forearm_t32 * shared[3] - forearm_t45 * shared[4]
-            + forearm_t46 * shared[5];
+        let shoulder_rot_xy = shared[3];
+        let shoulder_rot_yy = shared[4];
+        let shoulder_minus_rot_zy = shared[5];
+        let forearm_t54 = forearm_t32 * shoulder_rot_xy - forearm_t45 * shoulder_rot_yy
+            + forearm_t46 * shoulder_minus_rot_zy;
         solved[25][lane] = forearm_t54;
-        let forearm_t55 = forearm_t32 * shared[6] + forearm_t45 * shared[7]
-            + forearm_t46 * shared[8];
+        let shoulder_minus_rot_xz = shared[6];
+        let shoulder_rot_yz = shared[7];
+        let shoulder_rot_zz = shared[8];
+        let forearm_t55 = forearm_t32 * shoulder_minus_rot_xz
+            + forearm_t45 * shoulder_rot_yz + forearm_t46 * shoulder_rot_zz;
         solved[26][lane] = forearm_t55;
-        let forearm_t56 = forearm_t3 * shared[0] + forearm_t49 * shared[1]
-            + forearm_t50 * shared[2];
+        let forearm_t56 = forearm_t3 * shoulder_rot_xx
+            + forearm_t49 * shoulder_minus_rot_yx + forearm_t50 * shoulder_rot_zx;
         solved[27][lane] = forearm_t56;
-        let forearm_t57 = forearm_t3 * shared[3] - forearm_t49 * shared[4]
-            - forearm_t50 * shared[5];
+        let forearm_t57 = forearm_t3 * shoulder_rot_xy - forearm_t49 * shoulder_rot_yy
+            - forearm_t50 * shoulder_minus_rot_zy;
         solved[28][lane] = forearm_t57;
-        let forearm_t58 = forearm_t3 * shared[6] + forearm_t49 * shared[7]
-            - forearm_t50 * shared[8];
+        let forearm_t58 = forearm_t3 * shoulder_minus_rot_xz
+            + forearm_t49 * shoulder_rot_yz - forearm_t50 * shoulder_rot_zz;
         solved[29][lane] = forearm_t58;
-        let forearm_t59 = forearm_t6 * shared[1] - forearm_t5 * shared[2];
+        let forearm_t59 = forearm_t6 * shoulder_minus_rot_yx
+            - forearm_t5 * shoulder_rot_zx;
         solved[30][lane] = forearm_t59;
-        let forearm_t60 = forearm_t6 * shared[4] - forearm_t5 * shared[5];
+        let forearm_t60 = forearm_t6 * shoulder_rot_yy
+            - forearm_t5 * shoulder_minus_rot_zy;
         solved[31][lane] = forearm_t60;
-        let forearm_t61 = forearm_t6 * shared[7] + forearm_t5 * shared[8];
+        let forearm_t61 = forearm_t6 * shoulder_rot_yz + forearm_t5 * shoulder_rot_zz;
         solved[32][lane] = forearm_t61;
         let forearm_t62 = forearm_t4 + forearm_t10;
         let forearm_t63 = forearm_t5 + forearm_t11;
@@ -64223,12 +64665,15 @@ fn centroidal_momentum_matrix_lockstep_3<R: kane::Real>(
     let mut solved = [[R::from_f64(1.0); 2]; 18];
     for (lane, _) in sides[0].iter().enumerate() {
         // left_panel: mass centre and momentum, inward
+        let hub_minus_to_point_x = shared[0];
         let left_panel_minus_offset_x = sides[0][lane];
-        let left_panel_t1 = shared[0] - left_panel_minus_offset_x;
+        let left_panel_t1 = hub_minus_to_point_x - left_panel_minus_offset_x;
+        let hub_minus_to_point_y = shared[1];
         let left_panel_offset_y = sides[1][lane];
-        let left_panel_t2 = shared[1] + left_panel_offset_y;
+        let left_panel_t2 = hub_minus_to_point_y + left_panel_offset_y;
+        let hub_minus_to_point_z = shared[2];
         let left_panel_offset_z = sides[2][lane];
-        let left_panel_t3 = shared[2] + left_panel_offset_z;
+        let left_panel_t3 = hub_minus_to_point_z + left_panel_offset_z;
         let left_panel_side2 = sides[4][lane];
         let left_panel_side1 = sides[3][lane];
         let left_panel_t4 = left_panel_t3 * left_panel_side2
@@ -64278,51 +64723,66 @@ fn centroidal_momentum_matrix_lockstep_3<R: kane::Real>(
         let left_panel_t25 = left_panel_side13 - left_panel_t23;
         let left_panel_side18 = sides[20][lane];
         let left_panel_t26 = left_panel_t1 * left_panel_side19 - left_panel_side18;
-        let left_panel_t27 = -(left_panel_t7 * shared[3] - left_panel_t8 * shared[4]
-            + left_panel_t9 * shared[5]);
+        let hub_rot_xx = shared[3];
+        let hub_minus_rot_yx = shared[4];
+        let hub_sin2 = shared[5];
+        let left_panel_t27 = -(left_panel_t7 * hub_rot_xx
+            - left_panel_t8 * hub_minus_rot_yx + left_panel_t9 * hub_sin2);
         solved[0][lane] = left_panel_t27;
-        let left_panel_t28 = left_panel_t9 * shared[8]
-            - (left_panel_t7 * shared[6] + left_panel_t8 * shared[7]);
+        let hub_minus_rot_zy = shared[8];
+        let hub_rot_xy = shared[6];
+        let hub_rot_yy = shared[7];
+        let left_panel_t28 = left_panel_t9 * hub_minus_rot_zy
+            - (left_panel_t7 * hub_rot_xy + left_panel_t8 * hub_rot_yy);
         solved[1][lane] = left_panel_t28;
-        let left_panel_t29 = left_panel_t8 * shared[10] - left_panel_t7 * shared[9]
-            + left_panel_t9 * shared[11];
+        let hub_rot_yz = shared[10];
+        let hub_minus_rot_xz = shared[9];
+        let hub_rot_zz = shared[11];
+        let left_panel_t29 = left_panel_t8 * hub_rot_yz
+            - left_panel_t7 * hub_minus_rot_xz + left_panel_t9 * hub_rot_zz;
         solved[2][lane] = left_panel_t29;
-        let left_panel_t30 = left_panel_t13 * shared[3] - left_panel_t14 * shared[4]
-            + left_panel_t15 * shared[5];
+        let left_panel_t30 = left_panel_t13 * hub_rot_xx
+            - left_panel_t14 * hub_minus_rot_yx + left_panel_t15 * hub_sin2;
         solved[3][lane] = left_panel_t30;
-        let left_panel_t31 = left_panel_t13 * shared[6] + left_panel_t14 * shared[7]
-            - left_panel_t15 * shared[8];
+        let left_panel_t31 = left_panel_t13 * hub_rot_xy + left_panel_t14 * hub_rot_yy
+            - left_panel_t15 * hub_minus_rot_zy;
         solved[4][lane] = left_panel_t31;
-        let left_panel_t32 = -(left_panel_t14 * shared[10] - left_panel_t13 * shared[9]
-            + left_panel_t15 * shared[11]);
+        let left_panel_t32 = -(left_panel_t14 * hub_rot_yz
+            - left_panel_t13 * hub_minus_rot_xz + left_panel_t15 * hub_rot_zz);
         solved[5][lane] = left_panel_t32;
-        let left_panel_t33 = left_panel_t19 * shared[3] - left_panel_t20 * shared[4]
-            + left_panel_t21 * shared[5];
+        let left_panel_t33 = left_panel_t19 * hub_rot_xx
+            - left_panel_t20 * hub_minus_rot_yx + left_panel_t21 * hub_sin2;
         solved[6][lane] = left_panel_t33;
-        let left_panel_t34 = left_panel_t19 * shared[6] + left_panel_t20 * shared[7]
-            - left_panel_t21 * shared[8];
+        let left_panel_t34 = left_panel_t19 * hub_rot_xy + left_panel_t20 * hub_rot_yy
+            - left_panel_t21 * hub_minus_rot_zy;
         solved[7][lane] = left_panel_t34;
-        let left_panel_t35 = -(left_panel_t20 * shared[10] - left_panel_t19 * shared[9]
-            + left_panel_t21 * shared[11]);
+        let left_panel_t35 = -(left_panel_t20 * hub_rot_yz
+            - left_panel_t19 * hub_minus_rot_xz + left_panel_t21 * hub_rot_zz);
         solved[8][lane] = left_panel_t35;
-        let left_panel_t36 = left_panel_t25 * shared[5] - left_panel_t24 * shared[4];
+        let left_panel_t36 = left_panel_t25 * hub_sin2
+            - left_panel_t24 * hub_minus_rot_yx;
         solved[9][lane] = left_panel_t36;
-        let left_panel_t37 = left_panel_t25 * shared[8] - left_panel_t24 * shared[7];
+        let left_panel_t37 = left_panel_t25 * hub_minus_rot_zy
+            - left_panel_t24 * hub_rot_yy;
         solved[10][lane] = left_panel_t37;
-        let left_panel_t38 = -(left_panel_t24 * shared[10]
-            + left_panel_t25 * shared[11]);
+        let left_panel_t38 = -(left_panel_t24 * hub_rot_yz
+            + left_panel_t25 * hub_rot_zz);
         solved[11][lane] = left_panel_t38;
-        let left_panel_t39 = left_panel_t26 * shared[5] - left_panel_t24 * shared[3];
+        let left_panel_t39 = left_panel_t26 * hub_sin2 - left_panel_t24 * hub_rot_xx;
         solved[12][lane] = left_panel_t39;
-        let left_panel_t40 = -(left_panel_t24 * shared[6] + left_panel_t26 * shared[8]);
+        let left_panel_t40 = -(left_panel_t24 * hub_rot_xy
+            + left_panel_t26 * hub_minus_rot_zy);
         solved[13][lane] = left_panel_t40;
-        let left_panel_t41 = -(left_panel_t24 * shared[9] + left_panel_t26 * shared[11]);
+        let left_panel_t41 = -(left_panel_t24 * hub_minus_rot_xz
+            + left_panel_t26 * hub_rot_zz);
         solved[14][lane] = left_panel_t41;
-        let left_panel_t42 = left_panel_t25 * shared[3] - left_panel_t26 * shared[4];
+        let left_panel_t42 = left_panel_t25 * hub_rot_xx
+            - left_panel_t26 * hub_minus_rot_yx;
         solved[15][lane] = left_panel_t42;
-        let left_panel_t43 = left_panel_t25 * shared[6] + left_panel_t26 * shared[7];
+        let left_panel_t43 = left_panel_t25 * hub_rot_xy + left_panel_t26 * hub_rot_yy;
         solved[16][lane] = left_panel_t43;
-        let left_panel_t44 = left_panel_t25 * shared[9] - left_panel_t26 * shared[10];
+        let left_panel_t44 = left_panel_t25 * hub_minus_rot_xz
+            - left_panel_t26 * hub_rot_yz;
         solved[17][lane] = left_panel_t44;
     }
     solved
@@ -64349,12 +64809,15 @@ fn centroidal_momentum_matrix_lockstep_4<R: kane::Real>(
     let mut solved = [[R::from_f64(1.0); 2]; 18];
     for (lane, _) in sides[0].iter().enumerate() {
         // forearm: mass centre and momentum, inward
+        let shoulder_to_point_x = shared[0];
         let forearm_minus_offset_x = sides[0][lane];
-        let forearm_t1 = shared[0] + forearm_minus_offset_x;
+        let forearm_t1 = shoulder_to_point_x + forearm_minus_offset_x;
         let forearm_offset_y = sides[1][lane];
-        let forearm_t2 = forearm_offset_y - shared[1];
+        let shoulder_to_point_y = shared[1];
+        let forearm_t2 = forearm_offset_y - shoulder_to_point_y;
         let forearm_offset_z = sides[2][lane];
-        let forearm_t3 = forearm_offset_z - shared[2];
+        let shoulder_to_point_z = shared[2];
+        let forearm_t3 = forearm_offset_z - shoulder_to_point_z;
         let forearm_side2 = sides[4][lane];
         let forearm_side1 = sides[3][lane];
         let forearm_t4 = forearm_t3 * forearm_side2 - forearm_t2 * forearm_side1;
@@ -64397,50 +64860,65 @@ fn centroidal_momentum_matrix_lockstep_4<R: kane::Real>(
         let forearm_t25 = forearm_side13 - forearm_t23;
         let forearm_side18 = sides[20][lane];
         let forearm_t26 = forearm_t1 * forearm_side19 + forearm_side18;
-        let forearm_t27 = forearm_t7 * shared[3] - forearm_t8 * shared[4]
-            + forearm_t9 * shared[5];
+        let shoulder_rot_xx = shared[3];
+        let shoulder_minus_rot_yx = shared[4];
+        let shoulder_rot_zx = shared[5];
+        let forearm_t27 = forearm_t7 * shoulder_rot_xx
+            - forearm_t8 * shoulder_minus_rot_yx + forearm_t9 * shoulder_rot_zx;
         solved[0][lane] = forearm_t27;
-        let forearm_t28 = forearm_t7 * shared[6] + forearm_t8 * shared[7]
-            - forearm_t9 * shared[8];
+        let shoulder_rot_xy = shared[6];
+        let shoulder_rot_yy = shared[7];
+        let shoulder_minus_rot_zy = shared[8];
+        let forearm_t28 = forearm_t7 * shoulder_rot_xy + forearm_t8 * shoulder_rot_yy
+            - forearm_t9 * shoulder_minus_rot_zy;
         solved[1][lane] = forearm_t28;
-        let forearm_t29 = -(forearm_t8 * shared[10] - forearm_t7 * shared[9]
-            + forearm_t9 * shared[11]);
+        let shoulder_rot_yz = shared[10];
+        let shoulder_minus_rot_xz = shared[9];
+        let shoulder_rot_zz = shared[11];
+        let forearm_t29 = -(forearm_t8 * shoulder_rot_yz
+            - forearm_t7 * shoulder_minus_rot_xz + forearm_t9 * shoulder_rot_zz);
         solved[2][lane] = forearm_t29;
-        let forearm_t30 = forearm_t13 * shared[3] - forearm_t14 * shared[4]
-            + forearm_t15 * shared[5];
+        let forearm_t30 = forearm_t13 * shoulder_rot_xx
+            - forearm_t14 * shoulder_minus_rot_yx + forearm_t15 * shoulder_rot_zx;
         solved[3][lane] = forearm_t30;
-        let forearm_t31 = forearm_t13 * shared[6] + forearm_t14 * shared[7]
-            - forearm_t15 * shared[8];
+        let forearm_t31 = forearm_t13 * shoulder_rot_xy + forearm_t14 * shoulder_rot_yy
+            - forearm_t15 * shoulder_minus_rot_zy;
         solved[4][lane] = forearm_t31;
-        let forearm_t32 = -(forearm_t14 * shared[10] - forearm_t13 * shared[9]
-            + forearm_t15 * shared[11]);
+        let forearm_t32 = -(forearm_t14 * shoulder_rot_yz
+            - forearm_t13 * shoulder_minus_rot_xz + forearm_t15 * shoulder_rot_zz);
         solved[5][lane] = forearm_t32;
-        let forearm_t33 = forearm_t19 * shared[3] - forearm_t20 * shared[4]
-            + forearm_t21 * shared[5];
+        let forearm_t33 = forearm_t19 * shoulder_rot_xx
+            - forearm_t20 * shoulder_minus_rot_yx + forearm_t21 * shoulder_rot_zx;
         solved[6][lane] = forearm_t33;
-        let forearm_t34 = forearm_t19 * shared[6] + forearm_t20 * shared[7]
-            - forearm_t21 * shared[8];
+        let forearm_t34 = forearm_t19 * shoulder_rot_xy + forearm_t20 * shoulder_rot_yy
+            - forearm_t21 * shoulder_minus_rot_zy;
         solved[7][lane] = forearm_t34;
-        let forearm_t35 = -(forearm_t20 * shared[10] - forearm_t19 * shared[9]
-            + forearm_t21 * shared[11]);
+        let forearm_t35 = -(forearm_t20 * shoulder_rot_yz
+            - forearm_t19 * shoulder_minus_rot_xz + forearm_t21 * shoulder_rot_zz);
         solved[8][lane] = forearm_t35;
-        let forearm_t36 = forearm_t24 * shared[4] - forearm_t25 * shared[5];
+        let forearm_t36 = forearm_t24 * shoulder_minus_rot_yx
+            - forearm_t25 * shoulder_rot_zx;
         solved[9][lane] = forearm_t36;
-        let forearm_t37 = forearm_t24 * shared[7] - forearm_t25 * shared[8];
+        let forearm_t37 = forearm_t24 * shoulder_rot_yy
+            - forearm_t25 * shoulder_minus_rot_zy;
         solved[10][lane] = forearm_t37;
-        let forearm_t38 = forearm_t24 * shared[10] + forearm_t25 * shared[11];
+        let forearm_t38 = forearm_t24 * shoulder_rot_yz + forearm_t25 * shoulder_rot_zz;
         solved[11][lane] = forearm_t38;
-        let forearm_t39 = forearm_t24 * shared[3] + forearm_t26 * shared[5];
+        let forearm_t39 = forearm_t24 * shoulder_rot_xx + forearm_t26 * shoulder_rot_zx;
         solved[12][lane] = forearm_t39;
-        let forearm_t40 = forearm_t24 * shared[6] - forearm_t26 * shared[8];
+        let forearm_t40 = forearm_t24 * shoulder_rot_xy
+            - forearm_t26 * shoulder_minus_rot_zy;
         solved[13][lane] = forearm_t40;
-        let forearm_t41 = forearm_t24 * shared[9] - forearm_t26 * shared[11];
+        let forearm_t41 = forearm_t24 * shoulder_minus_rot_xz
+            - forearm_t26 * shoulder_rot_zz;
         solved[14][lane] = forearm_t41;
-        let forearm_t42 = forearm_t25 * shared[3] + forearm_t26 * shared[4];
+        let forearm_t42 = forearm_t25 * shoulder_rot_xx
+            + forearm_t26 * shoulder_minus_rot_yx;
         solved[15][lane] = forearm_t42;
-        let forearm_t43 = forearm_t25 * shared[6] - forearm_t26 * shared[7];
+        let forearm_t43 = forearm_t25 * shoulder_rot_xy - forearm_t26 * shoulder_rot_yy;
         solved[16][lane] = forearm_t43;
-        let forearm_t44 = forearm_t25 * shared[9] + forearm_t26 * shared[10];
+        let forearm_t44 = forearm_t25 * shoulder_minus_rot_xz
+            + forearm_t26 * shoulder_rot_yz;
         solved[17][lane] = forearm_t44;
     }
     solved
@@ -65922,36 +66400,52 @@ fn centroidal_momentum_matrix_dot_u_lockstep_1<R: kane::Real>(
         let left_panel_t12 = left_panel_t6 - left_panel_t9;
         solved[2][lane] = left_panel_t12;
         // left_panel: velocity and acceleration, outward
-        let left_panel_a_of_offset_x = left_panel_offset_z * shared[2]
-            - (left_panel_offset_x * shared[0] + left_panel_offset_y * shared[1]);
-        let left_panel_a_of_offset_y = left_panel_offset_x * shared[3]
-            - left_panel_offset_y * shared[4] + left_panel_offset_z * shared[5];
-        let left_panel_minus_a_of_offset_z = left_panel_offset_x * shared[6]
-            + left_panel_offset_y * shared[7] + left_panel_offset_z * shared[8];
+        let hub_u_xz = shared[2];
+        let hub_minus_u_xx = shared[0];
+        let hub_minus_u_xy = shared[1];
+        let left_panel_a_of_offset_x = left_panel_offset_z * hub_u_xz
+            - (left_panel_offset_x * hub_minus_u_xx
+                + left_panel_offset_y * hub_minus_u_xy);
+        let hub_u_yx = shared[3];
+        let hub_minus_u_yy = shared[4];
+        let hub_u_yz = shared[5];
+        let left_panel_a_of_offset_y = left_panel_offset_x * hub_u_yx
+            - left_panel_offset_y * hub_minus_u_yy + left_panel_offset_z * hub_u_yz;
+        let hub_minus_u_zx = shared[6];
+        let hub_minus_u_zy = shared[7];
+        let hub_minus_u_zz = shared[8];
+        let left_panel_minus_a_of_offset_z = left_panel_offset_x * hub_minus_u_zx
+            + left_panel_offset_y * hub_minus_u_zy
+            + left_panel_offset_z * hub_minus_u_zz;
         let left_panel_s1_dot = sides[9][lane];
         let left_panel_t13 = R::from_f64(2.0) * left_panel_s1_dot;
         let left_panel_s2_dot = sides[10][lane];
         let left_panel_t14 = R::from_f64(2.0) * left_panel_s2_dot;
         let left_panel_s3_dot = sides[11][lane];
         let left_panel_t15 = R::from_f64(2.0) * left_panel_s3_dot;
-        let left_panel_t16 = left_panel_t15 * shared[9] - left_panel_t14 * shared[10];
-        let left_panel_t17 = left_panel_t13 * shared[10] - left_panel_t15 * shared[11];
-        let left_panel_t18 = left_panel_t14 * shared[11] - left_panel_t13 * shared[9];
+        let hub_w_y = shared[9];
+        let hub_w_z = shared[10];
+        let left_panel_t16 = left_panel_t15 * hub_w_y - left_panel_t14 * hub_w_z;
+        let hub_w_x = shared[11];
+        let left_panel_t17 = left_panel_t13 * hub_w_z - left_panel_t15 * hub_w_x;
+        let left_panel_t18 = left_panel_t14 * hub_w_x - left_panel_t13 * hub_w_y;
         let left_panel_t19 = left_panel_a_of_offset_x + left_panel_t16;
         let left_panel_t20 = left_panel_a_of_offset_y + left_panel_t17;
         let left_panel_t21 = left_panel_t18 - left_panel_minus_a_of_offset_z;
-        let left_panel_t22 = left_panel_cos1 * shared[9] + left_panel_sin1 * shared[10];
-        let left_panel_t23 = left_panel_cos1 * shared[10] - left_panel_sin1 * shared[9];
-        let left_panel_alpha_of_lower_y = left_panel_cos1 * shared[12]
-            + left_panel_sin1 * shared[13];
-        let left_panel_alpha_of_lower_z = left_panel_cos1 * shared[13]
-            - left_panel_sin1 * shared[12];
+        let left_panel_t22 = left_panel_cos1 * hub_w_y + left_panel_sin1 * hub_w_z;
+        let left_panel_t23 = left_panel_cos1 * hub_w_z - left_panel_sin1 * hub_w_y;
+        let hub_alpha_y = shared[12];
+        let hub_alpha_z = shared[13];
+        let left_panel_alpha_of_lower_y = left_panel_cos1 * hub_alpha_y
+            + left_panel_sin1 * hub_alpha_z;
+        let left_panel_alpha_of_lower_z = left_panel_cos1 * hub_alpha_z
+            - left_panel_sin1 * hub_alpha_y;
         let left_panel_theta1_dot = sides[12][lane];
         let left_panel_alpha_of_rate_y = left_panel_t23 * left_panel_theta1_dot;
         let left_panel_alpha_of_rate_z = left_panel_t22 * left_panel_theta1_dot;
         let left_panel_t24 = left_panel_alpha_of_lower_y + left_panel_alpha_of_rate_y;
         let left_panel_t25 = left_panel_alpha_of_lower_z - left_panel_alpha_of_rate_z;
-        let left_panel_t26 = shared[11] + left_panel_theta1_dot;
+        let left_panel_t26 = hub_w_x + left_panel_theta1_dot;
         let left_panel_t27 = left_panel_cos1 * left_panel_t20
             + left_panel_sin1 * left_panel_t21;
         let left_panel_t28 = left_panel_cos1 * left_panel_t21
@@ -65960,9 +66454,10 @@ fn centroidal_momentum_matrix_dot_u_lockstep_1<R: kane::Real>(
             + left_panel_sin2 * left_panel_t26;
         let left_panel_t30 = left_panel_cos2 * left_panel_t26
             - left_panel_sin2 * left_panel_t23;
+        let hub_minus_alpha_x = shared[14];
         let left_panel_alpha_of_lower_z_ = left_panel_cos2 * left_panel_t25
-            - left_panel_sin2 * shared[14];
-        let left_panel_minus_alpha_of_lower_x = left_panel_cos2 * shared[14]
+            - left_panel_sin2 * hub_minus_alpha_x;
+        let left_panel_minus_alpha_of_lower_x = left_panel_cos2 * hub_minus_alpha_x
             + left_panel_sin2 * left_panel_t25;
         let left_panel_theta2_dot = sides[13][lane];
         let left_panel_alpha_of_rate_z_ = left_panel_t30 * left_panel_theta2_dot;
@@ -66159,46 +66654,66 @@ fn centroidal_momentum_matrix_dot_u_lockstep_2<R: kane::Real>(
         let forearm_t12 = forearm_t6 + forearm_t9;
         solved[2][lane] = forearm_t12;
         // forearm: velocity and acceleration, outward
-        let forearm_a_of_offset_x = forearm_offset_z * shared[2]
-            - (forearm_offset_x * shared[0] + forearm_offset_y * shared[1]);
-        let forearm_a_of_offset_y = forearm_offset_x * shared[3]
-            - forearm_offset_y * shared[4] + forearm_offset_z * shared[5];
-        let forearm_minus_a_of_offset_z = forearm_offset_x * shared[6]
-            + forearm_offset_y * shared[7] + forearm_offset_z * shared[8];
-        let forearm_a_at_joint_x = shared[9] + forearm_a_of_offset_x;
-        let forearm_a_at_joint_y = forearm_a_of_offset_y - shared[10];
-        let forearm_a_at_joint_z = shared[11] - forearm_minus_a_of_offset_z;
+        let shoulder_u_xz = shared[2];
+        let shoulder_minus_u_xx = shared[0];
+        let shoulder_minus_u_xy = shared[1];
+        let forearm_a_of_offset_x = forearm_offset_z * shoulder_u_xz
+            - (forearm_offset_x * shoulder_minus_u_xx
+                + forearm_offset_y * shoulder_minus_u_xy);
+        let shoulder_u_yx = shared[3];
+        let shoulder_minus_u_yy = shared[4];
+        let shoulder_u_yz = shared[5];
+        let forearm_a_of_offset_y = forearm_offset_x * shoulder_u_yx
+            - forearm_offset_y * shoulder_minus_u_yy + forearm_offset_z * shoulder_u_yz;
+        let shoulder_minus_u_zx = shared[6];
+        let shoulder_minus_u_zy = shared[7];
+        let shoulder_minus_u_zz = shared[8];
+        let forearm_minus_a_of_offset_z = forearm_offset_x * shoulder_minus_u_zx
+            + forearm_offset_y * shoulder_minus_u_zy
+            + forearm_offset_z * shoulder_minus_u_zz;
+        let shoulder_a_x = shared[9];
+        let forearm_a_at_joint_x = shoulder_a_x + forearm_a_of_offset_x;
+        let shoulder_minus_a_y = shared[10];
+        let forearm_a_at_joint_y = forearm_a_of_offset_y - shoulder_minus_a_y;
+        let shoulder_a_z = shared[11];
+        let forearm_a_at_joint_z = shoulder_a_z - forearm_minus_a_of_offset_z;
         let forearm_s1_dot = sides[9][lane];
         let forearm_t13 = R::from_f64(2.0) * forearm_s1_dot;
         let forearm_s2_dot = sides[10][lane];
         let forearm_t14 = R::from_f64(2.0) * forearm_s2_dot;
         let forearm_s3_dot = sides[11][lane];
         let forearm_t15 = R::from_f64(2.0) * forearm_s3_dot;
-        let forearm_t16 = forearm_t15 * shared[12] - forearm_t14 * shared[13];
-        let forearm_t17 = forearm_t13 * shared[13] - forearm_t15 * shared[14];
-        let forearm_t18 = forearm_t14 * shared[14] - forearm_t13 * shared[12];
+        let shoulder_w_y = shared[12];
+        let shoulder_w_z = shared[13];
+        let forearm_t16 = forearm_t15 * shoulder_w_y - forearm_t14 * shoulder_w_z;
+        let shoulder_w_x = shared[14];
+        let forearm_t17 = forearm_t13 * shoulder_w_z - forearm_t15 * shoulder_w_x;
+        let forearm_t18 = forearm_t14 * shoulder_w_x - forearm_t13 * shoulder_w_y;
         let forearm_t19 = forearm_a_at_joint_x + forearm_t16;
         let forearm_t20 = forearm_a_at_joint_y + forearm_t17;
         let forearm_t21 = forearm_a_at_joint_z + forearm_t18;
-        let forearm_t22 = forearm_cos1 * shared[12] + forearm_sin1 * shared[13];
-        let forearm_t23 = forearm_cos1 * shared[13] - forearm_sin1 * shared[12];
-        let forearm_alpha_of_lower_y = forearm_cos1 * shared[15]
-            + forearm_sin1 * shared[16];
-        let forearm_alpha_of_lower_z = forearm_cos1 * shared[16]
-            - forearm_sin1 * shared[15];
+        let forearm_t22 = forearm_cos1 * shoulder_w_y + forearm_sin1 * shoulder_w_z;
+        let forearm_t23 = forearm_cos1 * shoulder_w_z - forearm_sin1 * shoulder_w_y;
+        let shoulder_alpha_y = shared[15];
+        let shoulder_alpha_z = shared[16];
+        let forearm_alpha_of_lower_y = forearm_cos1 * shoulder_alpha_y
+            + forearm_sin1 * shoulder_alpha_z;
+        let forearm_alpha_of_lower_z = forearm_cos1 * shoulder_alpha_z
+            - forearm_sin1 * shoulder_alpha_y;
         let forearm_theta1_dot = sides[12][lane];
         let forearm_alpha_of_rate_y = forearm_t23 * forearm_theta1_dot;
         let forearm_alpha_of_rate_z = forearm_t22 * forearm_theta1_dot;
         let forearm_t24 = forearm_alpha_of_lower_y + forearm_alpha_of_rate_y;
         let forearm_t25 = forearm_alpha_of_lower_z - forearm_alpha_of_rate_z;
-        let forearm_t26 = shared[14] + forearm_theta1_dot;
+        let forearm_t26 = shoulder_w_x + forearm_theta1_dot;
         let forearm_t27 = forearm_cos1 * forearm_t20 + forearm_sin1 * forearm_t21;
         let forearm_t28 = forearm_cos1 * forearm_t21 - forearm_sin1 * forearm_t20;
         let forearm_t29 = forearm_cos2 * forearm_t23 + forearm_sin2 * forearm_t26;
         let forearm_t30 = forearm_cos2 * forearm_t26 - forearm_sin2 * forearm_t23;
+        let shoulder_minus_alpha_x = shared[17];
         let forearm_alpha_of_lower_z_ = forearm_cos2 * forearm_t25
-            - forearm_sin2 * shared[17];
-        let forearm_minus_alpha_of_lower_x = forearm_cos2 * shared[17]
+            - forearm_sin2 * shoulder_minus_alpha_x;
+        let forearm_minus_alpha_of_lower_x = forearm_cos2 * shoulder_minus_alpha_x
             + forearm_sin2 * forearm_t25;
         let forearm_theta2_dot = sides[13][lane];
         let forearm_alpha_of_rate_z_ = forearm_t30 * forearm_theta2_dot;

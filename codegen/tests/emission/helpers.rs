@@ -39,7 +39,7 @@ fn what_a_helper_is_given_has_the_names_of_the_first_branch() {
         let is_given = |line: &str| line.trim().starts_with(&format!("let {name} = sides["));
         assert!(text.lines().any(is_given), "{name}");
     }
-    let is_shared = |line: &str| line.trim().starts_with("let base_link_a_z = shared[");
+    let is_shared = |line: &str| line.trim().starts_with("let root_joint_w2_dot = shared[");
     assert!(text.lines().any(is_shared));
     // What has none is counted body by body.
     let first = [
