@@ -375,14 +375,16 @@ fn angles_that_are_singular_are_told_by_their_joint() {
             "q": [0.1, 0.2, 0.3, angle, 0.4],
             "u": [0.1, 0.2, 0.3, 0.4, 0.5],
             "tau": [0.1, 0.2, 0.3, 0.4, 0.5],
+            "u_dot": [0.1, 0.2, 0.3, 0.4, 0.5],
         });
-        let arguments = ["eval", model, "--function", function, "--state", "-"];
+        let mut arguments = vec!["eval", model, "--state", "-", "--function"];
+        arguments.extend(function.split(' '));
         let ran = project.kane_given(&arguments, &state.to_string());
         assert_eq!(ran.code, 0, "{ran:?}");
         ran.err
     };
     let right = std::f64::consts::FRAC_PI_2;
-    let said = "warning: the angles of `hip` are singular, |cos(theta2)| is 6.1e-17: what is divided by it means nothing\n";
+    let said = "warning: `hip` is at its singularity, |cos(theta2)| is 6.1e-17: results that divide by it are inaccurate\n";
     assert_eq!(told("hip.toml", "forward_dynamics", right), said);
     assert_eq!(told("hip.toml", "forward_dynamics", 1.5), "");
     // What divides by nothing is right there too.
@@ -390,6 +392,18 @@ fn angles_that_are_singular_are_told_by_their_joint() {
     // Speeds that are an angular velocity have no singularity, rates of the angles have.
     assert_eq!(told("spinning.toml", "forward_dynamics", right), "");
     assert_eq!(told("spinning.toml", "q_dot", right), said);
+    // Pivots of a small body are small, and do not vanish.
+    let small = spinning
+        .replace("= 0.1", "= 1e-7")
+        .replace("= 0.02", "= 1e-7");
+    let small = small
+        .replace("= 0.01", "= 0")
+        .replace("mass = 1.5", "mass = 0");
+    project.write("small.toml", &small);
+    assert_eq!(told("small.toml", "forward_dynamics", right), "");
+    // Where the hip's accelerations are given, nothing is divided by its pivots.
+    let hybrid = "hybrid_dynamics --prescribed hip";
+    assert_eq!(told("hip.toml", hybrid, right), "");
 }
 
 #[test]

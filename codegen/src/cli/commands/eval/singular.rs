@@ -1,21 +1,28 @@
-//! States at which a function divides by nothing, or nearly so: its numbers are infinite, or mean nothing.
+//! States at which a function divides by what vanishes: by the cosine of a joint's second angle, or nearly so, or by a pivot of the mass
+//! matrix that makes numbers infinite.
 
 use kane_codegen::{
     compile::{self, Plans},
     diagnostic::Escaped,
-    expr::{Binding, Input, Node},
-    functions::{CATALOGUE, Derived, Request},
+    expr::{Binding, Expr, Input, Node},
+    functions::{Derived, Function, Request},
     options::Formulation,
-    tree::{Coordinate, Joint, Orientation, Tree},
+    tree::{Coordinate, Joint, Tree},
 };
 
 use super::state::State;
 use crate::cli::Voice;
 
-/// How near to zero a cosine costs twelve of the sixteen digits of accelerations: these have its square below them.
+/// Accelerations have the square of the cosine below them: at this one, twelve of sixteen digits are lost.
 const TOLERANCE: f64 = 1e-6;
 
-/// Says why numbers are not finite, or mean nothing.
+/// A divisor that grows so much when the angle moves by [`AWAY`] vanishes with the cosine.
+const GROWS: f64 = 1e5;
+
+/// How far the angle is moved, rad.
+const AWAY: f64 = 0.5;
+
+/// Says why numbers are not finite, or inaccurate.
 pub(super) fn check(
     plans: &Plans<'_>,
     tree: &Tree,
@@ -24,17 +31,37 @@ pub(super) fn check(
     numbers: &[f64],
     voice: Voice,
 ) {
-    let divisors = divisors(derived, inputs);
-    if divisors.is_empty() || are_told(tree, &divisors, inputs, voice) {
+    let divisors = divisors(derived);
+    if divisors.is_empty() {
         return;
     }
-    if numbers.iter().any(|number| !number.is_finite()) {
+    let values = |inputs: &State| {
+        let graph = &derived.graph;
+        graph.evaluate(&divisors, |input| number(inputs, input))
+    };
+    let here = values(inputs);
+    let mut is_told = false;
+    for joint in tree.bodies.iter().map(|body| &body.joint) {
+        let Some((theta2, distance)) = singularity(joint, inputs) else {
+            continue;
+        };
+        let away = values(&moved(tree, theta2, inputs));
+        let grows = |(here, away): (&f64, &f64)| here.abs() * GROWS < away.abs();
+        if here.iter().zip(&away).any(grows) {
+            let name = joint.name.escaped();
+            voice.say(format_args!(
+                "warning: `{name}` is at its singularity, |cos(theta2)| is {distance:.1e}: results that divide by it are inaccurate"
+            ));
+            is_told = true;
+        }
+    }
+    if !is_told && numbers.iter().any(|number| !number.is_finite()) {
         pivot(plans, tree, inputs, voice);
     }
 }
 
 /// What the function divides by that depends on the state.
-fn divisors(derived: &Derived, inputs: &State) -> Vec<f64> {
+fn divisors(derived: &Derived) -> Vec<Expr> {
     let graph = &derived.graph;
     let needed = graph.reachable(&derived.roots);
     let of = |id| match graph.node(id) {
@@ -42,39 +69,22 @@ fn divisors(derived: &Derived, inputs: &State) -> Vec<f64> {
         _ => None,
     };
     let ids = graph.ids().filter(|id| needed[id.index()]);
-    let divisors: Vec<_> = ids.filter_map(of).collect();
-    graph.evaluate(&divisors, |input| number(inputs, input))
+    ids.filter_map(of).collect()
 }
 
 fn number(inputs: &State, input: Input) -> f64 {
     inputs.get(&input).copied().unwrap_or(f64::NAN)
 }
 
-/// Tells of angles that are singular; true where some are.
-fn are_told(tree: &Tree, divisors: &[f64], inputs: &State, voice: Voice) -> bool {
-    let divides = divisors.iter().any(|by| by.abs() < TOLERANCE);
-    let joints = tree.bodies.iter().map(|body| &body.joint);
-    let singular = joints.filter_map(|joint| {
-        // Where speeds are an angular velocity, the rates of the angles alone are singular.
-        let is_heeded = divides || matches!(joint.orientation, Orientation::Rates(_));
-        let distance = distance(joint, inputs).filter(|distance| *distance < TOLERANCE)?;
-        is_heeded.then_some((joint, distance))
-    });
-    let mut are_told = false;
-    for (joint, distance) in singular {
-        let name = joint.name.escaped();
-        voice.say(format_args!(
-            "warning: the angles of `{name}` are singular, |cos(theta2)| is {distance:.1e}: what is divided by it means nothing"
-        ));
-        are_told = true;
-    }
-    are_told
+/// The second angle of a joint at its singularity, and how near it is: `|cos(theta2)|`.
+fn singularity(joint: &Joint, inputs: &State) -> Option<(Coordinate, f64)> {
+    let [_, theta2, _] = joint.angles().filter(|_| joint.has_singular_chart())?;
+    let distance = libm::cos(angle(theta2, inputs)).abs();
+    (distance < TOLERANCE).then_some((theta2, distance))
 }
 
-/// `|cos(theta2)|` where the angles of a joint have a singularity.
-fn distance(joint: &Joint, inputs: &State) -> Option<f64> {
-    let [_, theta2, _] = joint.angles().filter(|_| joint.has_singular_chart())?;
-    let angle = match theta2 {
+fn angle(coordinate: Coordinate, inputs: &State) -> f64 {
+    match coordinate {
         Coordinate::Free { coordinate, .. } => number(inputs, Input::Q(coordinate)),
         Coordinate::Mimic {
             coordinate,
@@ -83,16 +93,33 @@ fn distance(joint: &Joint, inputs: &State) -> Option<f64> {
             ..
         } => multiplier * number(inputs, Input::Q(coordinate)) + offset,
         Coordinate::Locked(angle) => angle,
+    }
+}
+
+/// The same state with this angle elsewhere.
+fn moved(tree: &Tree, theta2: Coordinate, inputs: &State) -> State {
+    let mut moved = inputs.clone();
+    let (Coordinate::Free { coordinate, .. } | Coordinate::Mimic { coordinate, .. }) = theta2
+    else {
+        return moved;
     };
-    Some(libm::cos(angle).abs())
+    let angle = number(inputs, Input::Q(coordinate)) + AWAY;
+    let mut replace = |input, value| {
+        moved.entry(input).and_modify(|own| *own = value);
+    };
+    replace(Input::Q(coordinate), angle);
+    let mut angles = tree.angles().into_iter();
+    if let Some(place) = angles.position(|own| own.coordinate == coordinate) {
+        replace(Input::Sine(place), libm::sin(angle));
+        replace(Input::Cosine(place), libm::cos(angle));
+    }
+    moved
 }
 
 /// Tells of the first pivot of the mass matrix that is not positive.
 fn pivot(plans: &Plans<'_>, tree: &Tree, inputs: &State, voice: Voice) {
-    let mut catalogue = CATALOGUE.iter();
-    let Some(pivots) = catalogue.find(|one| one.name == "forward_dynamics_pivots") else {
-        unreachable!("eval: pivots are in the catalogue")
-    };
+    let pivots = Function::find("forward_dynamics_pivots");
+    let pivots = pivots.expect("eval: pivots are in the catalogue");
     let derived = compile::choose(plans, &Request::from(pivots), Formulation::Recursive).derived;
     let pivots = derived
         .graph

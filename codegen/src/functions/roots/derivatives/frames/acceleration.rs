@@ -54,9 +54,7 @@ fn derived(
     let by_u_dot = frames::jacobian(graph, tree, way, subject);
     let (values, by_q, by_u) = if tree.has_followers() {
         let values = frames::accelerated(graph, tree, way, subject, accelerations);
-        let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &values);
-        let by_u = swept(graph, tree, Argument::U, Sweep::Forward, &values);
-        (values, by_q, by_u)
+        by_sweeps(graph, tree, values)
     } else {
         let columns = of_rows(&by_u_dot, tree.n_speeds);
         let still = graph.zero_vector();
@@ -73,21 +71,32 @@ fn derived(
     }
 }
 
-/// The acceleration, and by coordinates and by speeds, with the columns of the Jacobian. The inertial frame's own is along the frame's
-/// axes where these are meant, and else zero.
+/// Values, and by coordinates and by speeds, of a tree whose speeds move several joints.
+pub(super) fn by_sweeps(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    values: Vec<Expr>,
+) -> (Vec<Expr>, SpeedMatrix, SpeedMatrix) {
+    let [by_q, by_u] = [Argument::Q, Argument::U]
+        .map(|argument| swept(graph, tree, argument, Sweep::Forward, &values));
+    (values, by_q, by_u)
+}
+
+/// The acceleration, and by coordinates and by speeds, with the columns of the Jacobian. `felt` at rest, along the frame's own axes; zero
+/// of plain accelerations.
 pub(super) fn by_motions(
     graph: &mut ExprGraph,
     tree: &Tree,
     subject: &Subject,
     columns: &[Twist],
-    (accelerations, base): (Accelerations<'_>, Vector),
+    (accelerations, felt): (Accelerations<'_>, Vector),
 ) -> (Vec<Expr>, SpeedMatrix, SpeedMatrix) {
     let is_local = subject.view == View::Local;
     let moving = Moving::new(graph, tree, subject, columns, accelerations);
     let mut whole = moving.after[0].acceleration;
-    whole[0] = graph.add_vectors(whole[0], base);
-    if let (true, Some(all)) = (is_local, moving.before.last()) {
-        whole[1] = all.acceleration[1];
+    whole[0] = graph.add_vectors(whole[0], felt);
+    if is_local {
+        whole[1] = moving.before[moving.groups.len()].acceleration[1];
     }
     let none = vec![vec![graph.zero(); tree.n_speeds]; 6];
     let (mut by_q, mut by_u) = (none.clone(), none);
@@ -97,12 +106,12 @@ pub(super) fn by_motions(
             let own = columns[speed.index()];
             let carried = if is_local {
                 // The frame's axes turn with the motion.
-                let given_before = graph.sub_vectors(after.acceleration[0], whole[0]);
-                let linear = linear_by_coordinate(graph, own, before, (after, given_before));
+                let turned = graph.sub_vectors(after.acceleration[0], whole[0]);
+                let linear = linear_by_coordinate(graph, own, before, (after, turned));
                 [linear, turning_seen(graph, own[1], before, after)]
             } else {
-                let given = after.acceleration[0];
-                let linear = linear_by_coordinate(graph, own, before, (after, given));
+                let turned = after.acceleration[0];
+                let linear = linear_by_coordinate(graph, own, before, (after, turned));
                 [linear, turning(graph, own[1], before, after)]
             };
             put(&mut by_q, speed.index(), carried);

@@ -8,13 +8,12 @@ use super::{
     velocity,
 };
 use crate::{
-    differentiate::Sweep,
     expr::{Expr, ExprGraph, Vector, negated},
     functions::{
         argument::Argument,
         formulation::Way,
         function::ByArguments,
-        roots::{derivatives::swept::swept, frames},
+        roots::frames,
         subject::{Subject, View},
     },
     given::{self, Accelerations},
@@ -23,7 +22,7 @@ use crate::{
     tree::Tree,
 };
 
-/// By accelerations the Jacobian of the origin, from which and the angular one the rest follows.
+/// By accelerations the Jacobian of the origin; the rest follows from the whole Jacobian.
 pub(in crate::functions) fn imu(
     graph: &mut ExprGraph,
     tree: &Tree,
@@ -37,9 +36,7 @@ pub(in crate::functions) fn imu(
     let jacobian = frames::jacobian(graph, tree, Way::Recursive(plan), &local);
     let (values, by_q, by_u) = if tree.has_followers() {
         let values = frames::imu(graph, tree, Way::Recursive(plan), subject);
-        let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &values);
-        let by_u = swept(graph, tree, Argument::U, Sweep::Forward, &values);
-        (values, by_q, by_u)
+        acceleration::by_sweeps(graph, tree, values)
     } else {
         let upward = negated(given::gravity(graph, tree));
         let felt = frame::along_frame(graph, tree, plan, subject.frame(), upward);
