@@ -1,4 +1,4 @@
-//! Ranges of hinges that are written in radians where the file's angles are in degrees, as they are without a word about it.
+//! Ranges of hinges that look like radians where the file's angles are in degrees, the default unit of an MJCF.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -30,7 +30,7 @@ pub(super) fn warn(reader: &mut Reader, settings: &Settings, bodies: &[WrittenBo
         right.value
     );
     let warning = Diagnostic::warning(message).at(right.span, "read as degrees");
-    let help = "without `<compiler angle=\"radian\"/>` all angles of an MJCF are in degrees";
+    let help = "if all angles of the file are in radians, write `<compiler angle=\"radian\"/>`; else write these ranges in degrees";
     reader.faults.push(warning.help(help));
 }
 

@@ -10,14 +10,15 @@ const AROUND: [&str; 2] = ["gazebo", "transmission"];
 const LEFT_OUT: [(&str, &str, &str); 4] = [
     (
         "springStiffness",
-        "stiffness",
+        "`stiffness` and `rest`",
         "springs of Gazebo are left out",
     ),
-    ("rotorInertia", "armature", ROTORS),
-    ("motorInertia", "armature", ROTORS),
-    ("drake:rotor_inertia", "armature", ROTORS),
+    ("rotorInertia", ARMATURE, ROTORS),
+    ("motorInertia", ARMATURE, ROTORS),
+    ("drake:rotor_inertia", ARMATURE, ROTORS),
 ];
 
+const ARMATURE: &str = "`armature`, the rotor's inertia times the square of the gear ratio";
 const ROTORS: &str = "inertias of rotors are left out";
 
 /// Warns of each that is not zero.
@@ -57,7 +58,7 @@ fn one(reader: &mut Reader, around: Element<'_>, element: Element<'_>) {
         .at(element.span(), "ignored")
         .one_of(*plural, of.map_or(around.name(), |of| of.value))
         .help(format!(
-            "`kane convert` writes the model in the format of kane, where a joint may have `{ours}`"
+            "`kane convert` writes the model in the format of kane, where a joint may have {ours}"
         ));
     reader.faults.push(warning);
 }

@@ -84,9 +84,11 @@ impl<'d> Element<'d> {
         self.place(start, if tag.contains('\n') { name } else { end })
     }
 
-    /// The text before the first element inside.
+    /// The first text directly inside that is not blank; comments may stand before it.
     pub(crate) fn content(self) -> Option<&'d str> {
-        self.node.text()
+        let texts = self.node.children().filter(|child| child.is_text());
+        let mut texts = texts.filter_map(|child| child.text());
+        texts.find(|text| !text.trim_ascii().is_empty())
     }
 
     /// The elements directly inside, in the order of the file.

@@ -22,6 +22,11 @@ fn springs_and_rotors_are_told_to_be_left_out() {
     assert_eq!(told(&with("", rotor)), [NO_GRAVITY, of_rotor]);
     let of_drake = "`drake:rotor_inertia` of a transmission is left out: a URDF has no such value";
     assert_eq!(told(&with("", drake)), [NO_GRAVITY, of_drake]);
+    let motor = rotor.replace("rotorInertia", "motorInertia");
+    let of_motor = of_rotor.replace("rotorInertia", "motorInertia");
+    assert_eq!(told(&with("", &motor)), [NO_GRAVITY, &of_motor]);
+    let noted = spring.replace(" 10 ", "<!-- N m/rad -->10");
+    assert_eq!(told(&with("", &noted)), [NO_GRAVITY, of_spring]);
     // Many of them are one line.
     let model = with("", &(spring.repeat(2) + rotor));
     let source = model.source.clone();
