@@ -159,10 +159,11 @@ fn reasons(old: &Form, new: &Form) -> Vec<String> {
         let told = told.into_iter().filter(|(_, list)| !list.is_empty());
         reasons.extend(told.map(|(what, list)| format!("{what}: {}", list.join(", "))));
     }
-    match (old.are_together, new.are_together) {
-        (false, true) => reasons.push("values are declared several at once".to_owned()),
-        (true, false) => reasons.push("values are declared one by one".to_owned()),
-        _ => {}
-    }
+    let declared = match (old.are_together, new.are_together) {
+        (false, true) => Some("values are declared in groups, as in longer functions"),
+        (true, false) => Some("values are declared one by one, as in shorter functions"),
+        _ => None,
+    };
+    reasons.extend(declared.map(str::to_owned));
     reasons
 }

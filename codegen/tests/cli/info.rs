@@ -469,8 +469,8 @@ fn what_acts_in_joints_is_shown_a_line_a_kind() {
     insta::assert_snapshot!(section(&shown(&[]), "In joints"), @"
     stiffness: upper_s2 3.0
     rest: upper_s2 0.5
-    damping: 0.1 each
-    friction, in no equation: fore_theta2 0.2
+    damping: 0.1 for all
+    friction (not in the equations): fore_theta2 0.2
     ");
     let said: Value = serde_json::from_str(&shown(&["--json"])).unwrap();
     let upper = &said["bodies"][0];

@@ -86,7 +86,7 @@ impl<'d> Element<'d> {
 
     /// The first text directly inside that is not blank; comments may stand before it.
     pub(crate) fn content(self) -> Option<&'d str> {
-        let texts = self.node.children().filter(|child| child.is_text());
+        let texts = self.node.children().filter(roxmltree::Node::is_text);
         let mut texts = texts.filter_map(|child| child.text());
         texts.find(|text| !text.trim_ascii().is_empty())
     }

@@ -16,9 +16,9 @@ use crate::cli::{Failures, text::lines::ChangedLines, text::text_diff::TextDiff}
 pub(super) enum Rewriting {
     /// They are one text in two layouts.
     Layout,
-    /// They say that they are made of the same in the same way.
-    ByHand,
-    /// Versions of the generator wrote them that have these formats.
+    /// Their banners name the same input.
+    SameInput,
+    /// Generators of these formats wrote them.
     Formats([u32; 2]),
 }
 
@@ -119,7 +119,7 @@ fn rewriting(lines: &ChangedLines, texts: [&str; 2]) -> Option<Rewriting> {
     if lines.are_layout() {
         Some(Rewriting::Layout)
     } else if moved(texts).is_none() && origin::have_one_input(texts) {
-        Some(Rewriting::ByHand)
+        Some(Rewriting::SameInput)
     } else {
         formats(texts).map(Rewriting::Formats)
     }

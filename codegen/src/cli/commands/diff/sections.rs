@@ -162,15 +162,18 @@ fn code(text: &str) -> String {
 /// What two modules of one model have in common.
 fn note(report: &Report) -> Option<String> {
     let whole = match report.rewriting {
-        Some(Rewriting::Layout) => Some("only the layout differs: formatted by another tool"),
-        Some(Rewriting::ByHand) => Some(
-            "the model and all that is asked for are the same: edited by hand, or written by another version of kane",
-        ),
-        Some(Rewriting::Formats(_)) | None => None,
+        Some(Rewriting::Layout) => "only the layout differs: formatted by another tool",
+        Some(Rewriting::SameInput) => {
+            "the model and all that is asked for are the same: edited by hand, or written by another version of kane"
+        }
+        Some(Rewriting::Formats(formats)) => return of_one_model(report, Some(formats)),
+        None => return of_one_model(report, None),
     };
-    if let Some(whole) = whole {
-        return Some(whole.to_owned());
-    }
+    Some(whole.to_owned())
+}
+
+/// What modules have in common that are not of the same text, if bodies and joints are the same.
+fn of_one_model(report: &Report, formats: Option<[u32; 2]>) -> Option<String> {
     let [old, new] = report.fingerprints;
     // Frames that only mark a place are no part of what is hashed.
     let says_the_same = old == new && report.differences.values.is_empty();
@@ -181,8 +184,8 @@ fn note(report: &Report) -> Option<String> {
         Some([old, new]) if report.functions == Comparison::default() => {
             format!("the model was {old} and is {new}")
         }
-        _ => match report.rewriting {
-            Some(Rewriting::Formats([old, new])) => {
+        _ => match formats {
+            Some([old, new]) => {
                 let (added, removed) = (&report.functions.added, &report.functions.removed);
                 let others = if added.is_empty() && removed.is_empty() {
                     ""
@@ -191,7 +194,7 @@ fn note(report: &Report) -> Option<String> {
                 };
                 format!("written by different versions of kane, formats {old} and {new}{others}")
             }
-            _ => "frames, functions or the generator differ".to_owned(),
+            None => "frames, functions or the generator differ".to_owned(),
         },
     };
     is_same_model.then(|| format!("bodies and joints are the same: {how}"))

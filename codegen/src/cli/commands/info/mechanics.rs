@@ -13,9 +13,9 @@ const IN_EQUATIONS: [Kind; 4] = [
     ("damping", |tree, own| tree.nominal(own.damping)),
     ("armature", |tree, own| tree.nominal(own.armature)),
 ];
-const FRICTION: Kind = ("friction, in no equation", |_, own| own.friction);
+const FRICTION: Kind = ("friction (not in the equations)", |_, own| own.friction);
 
-/// For people: each kind with its values, as `elbow 0.1`, or `0.1 each` if all are one.
+/// For people: each kind with its values, as `elbow 0.1`, or `0.1 for all` if all are one.
 pub(super) fn told(tree: &Tree) -> Vec<(&'static str, Vec<String>)> {
     let joints = tree.bodies.iter().map(|body| &body.joint);
     let all: Vec<_> = joints.flat_map(motions).collect();
@@ -31,7 +31,7 @@ pub(super) fn told(tree: &Tree) -> Vec<(&'static str, Vec<String>)> {
             .iter()
             .all(|(_, own)| own.to_bits() == first.to_bits());
         if are_one && values.len() > 1 {
-            return Some((kind, vec![format!("{first:?} each")]));
+            return Some((kind, vec![format!("{first:?} for all")]));
         }
         let values = values.into_iter().filter(|(_, own)| *own != 0.0);
         let values = values.map(|(name, own)| format!("{name} {own:?}"));
@@ -42,12 +42,8 @@ pub(super) fn told(tree: &Tree) -> Vec<(&'static str, Vec<String>)> {
 
 /// For programs: each kind that equations have, with its values by motions.
 pub(super) fn of_joint(tree: &Tree, joint: &Joint) -> Vec<(&'static str, Map<String, Value>)> {
-    let names = joint.motion_names();
-    let moves = joint.motions();
     let kinds = IN_EQUATIONS.into_iter().map(|(kind, of)| {
-        let all = names.into_iter().zip(moves).zip(&joint.mechanics);
-        let values = all.filter(|((_, motion), _)| motion.is_some());
-        let values = values.map(|((name, _), own)| (name.to_owned(), of(tree, own)));
+        let values = moving(joint).map(|(name, own)| (name.to_owned(), of(tree, own)));
         let values = values.filter(|(_, own)| *own != 0.0);
         (kind, values.map(|(name, own)| (name, own.into())).collect())
     });
@@ -56,13 +52,16 @@ pub(super) fn of_joint(tree: &Tree, joint: &Joint) -> Vec<(&'static str, Map<Str
         .collect()
 }
 
-/// What moves in a joint, with its name, those that follow others too.
+/// What moves in a joint, with a name of its own, those that follow others too.
 fn motions(joint: &Joint) -> Vec<(String, &Mechanics)> {
+    let is_only = moving(joint).count() == 1;
+    let named = moving(joint).map(|(name, own)| (joint.name_of(name, is_only), own));
+    named.collect()
+}
+
+/// What moves in a joint.
+fn moving(joint: &Joint) -> impl Iterator<Item = (&'static str, &Mechanics)> {
     let names = joint.motion_names().into_iter().zip(joint.motions());
     let all = names.zip(&joint.mechanics);
-    let moving: Vec<_> = all.filter(|((_, motion), _)| motion.is_some()).collect();
-    let is_only = moving.len() == 1;
-    let named = moving.into_iter();
-    let named = named.map(|((name, _), own)| (joint.name_of(name, is_only), own));
-    named.collect()
+    all.filter_map(|((name, motion), own)| motion.map(|_| (name, own)))
 }
