@@ -17,14 +17,14 @@ const MOST_DEGREES: f64 = 720.0;
 const DEGREES: f64 = 5.0;
 /// Multiples of this often stand for no limit.
 const ROUND: f64 = 50.0;
-/// If all limits of velocity are in this range, rad/s, they may be in degrees per second: one of several joints is usually slower.
+/// If all limits of velocity are in this range, they may be in degrees per second: one of several joints is usually slower.
 const FAST: RangeInclusive<f64> = 45.0..=MOST_DEGREES;
 /// Most lengths of a small system are below, m.
 const FAR: f64 = 20.0;
 /// The mass of all bodies of a small system, kg.
 const SMALL: f64 = 1000.0;
-/// An offset between two joints beyond this may be in millimetres where others are in metres, m. Tethers are shorter.
-const LONG: f64 = 50.0;
+/// An offset between two joints beyond this may be in millimetres where others are in metres, m; tethers are often shorter.
+const LONG: f64 = 100.0;
 /// So many offsets between joints, or limits of velocity, say which unit all have.
 const FEW: usize = 3;
 /// A length in millimetres among others in metres is so many times the median.
@@ -86,22 +86,21 @@ fn limits(description: &Description, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-/// One warning where all limits of velocity are too large for radians. Wheels and propellers, which have no range, are that fast.
+/// One warning where all limits of velocity are too large for radians; wheels and propellers, which have no range, may be that fast.
 fn fast_limits(description: &Description) -> Option<Diagnostic> {
     let limits = description.bodies.iter().flat_map(angular_limits);
-    let limits = limits.filter(|limits| limits.lower.is_some() && limits.upper.is_some());
-    let limits: Vec<_> = limits.filter_map(|limits| limits.velocity).collect();
+    let ranged = limits.filter(|limits| limits.lower.is_some() && limits.upper.is_some());
+    let limits: Vec<_> = ranged.filter_map(|limits| limits.velocity).collect();
     let are_fast = limits.len() >= FEW && limits.iter().all(|limit| FAST.contains(&limit.value));
     let round = limits.iter().find(|limit| is_round(limit.value));
     let round = round.filter(|_| are_fast)?;
-    let values = || limits.iter().map(|limit| limit.value);
-    let (least, most) = (
-        values().fold(f64::INFINITY, f64::min),
-        values().fold(0.0, f64::max),
-    );
+    let values = limits.iter().map(|limit| limit.value);
+    let (least, most) = values.fold((f64::INFINITY, 0.0_f64), |(least, most), value| {
+        (least.min(value), most.max(value))
+    });
     let message = format!(
-        "the velocity limits of all {} joints with a range of angles are from {least:?} to {most:?} rad/s; are they in degrees per second?",
-        limits.len(),
+        "all {} limits of velocity of rotations with a range are between {least:?} and {most:?} rad/s; are they in degrees per second?",
+        limits.len()
     );
     Some(Diagnostic::warning(message).at(round.span, "expected rad/s"))
 }
@@ -216,7 +215,7 @@ fn long_lengths(description: &Description, lengths: &[Length], mass: f64) -> Vec
     warned.collect()
 }
 
-/// A warning for each offset between joints that stands out among others.
+/// A warning for each offset between joints that is large and stands out among others; among few, none is usual.
 fn lone_offsets(description: &Description, lengths: &[Length]) -> Vec<Diagnostic> {
     let between: Vec<&Length> = lengths.iter().filter(|own| !own.is_mass_center).collect();
     if between.len() <= FEW {
@@ -227,10 +226,10 @@ fn lone_offsets(description: &Description, lengths: &[Length]) -> Vec<Diagnostic
         |length: &&Length| length.metres > LONG && MANY.contains(&(length.metres / median));
     let warned = between.into_iter().filter(stands_out).map(|length| {
         let (metres, body) = (length.metres, &description.bodies[length.body]);
+        let factor = metres / median;
         let name = joint(description, body, length.body);
         let message = format!(
-            "{name} is {metres:.1} m from the origin of its lower body, {:.0} times the median; is it in millimetres?",
-            metres / median
+            "{name} is {metres:.1} m from the origin of its lower body, {factor:.0} times the median offset; is it in millimetres?"
         );
         let warning = Diagnostic::warning(message).at(length.span, "expected metres");
         warning.one_of("offsets between joints look as if they were in millimetres", name)

@@ -467,10 +467,10 @@ fn what_acts_in_joints_is_shown_a_line_a_kind() {
     );
     project.write("arm.toml", &(text + "damping = 0.1\nfriction = 0.2\n"));
     insta::assert_snapshot!(section(&shown(&[]), "In joints"), @"
-    stiffness: upper_s2 3.0
-    rest: upper_s2 0.5
-    damping: 0.1 for all
-    friction (not in the equations): fore_theta2 0.2
+    stiffness, N m/rad or N/m: upper_s2 3.0
+    rest, rad or m: upper_s2 0.5
+    damping, N m s/rad or N s/m: 0.1 for all
+    friction (not in the equations), N m or N: fore_theta2 0.2
     ");
     let said: Value = serde_json::from_str(&shown(&["--json"])).unwrap();
     let upper = &said["bodies"][0];
@@ -481,4 +481,17 @@ fn what_acts_in_joints_is_shown_a_line_a_kind() {
     );
     assert_eq!(upper.get("armature"), None);
     assert_eq!(said["bodies"][1].get("stiffness"), None);
+}
+
+#[test]
+fn what_acts_in_joints_is_named_by_motions_or_components_of_angular_velocity() {
+    let path = repository("examples/optimal/models/tumbler.toml");
+    let shown = |options: &[&str]| {
+        let all = [&["info", path.to_str().unwrap()], options].concat();
+        Project::empty().kane(&all).out
+    };
+    insta::assert_snapshot!(section(&shown(&[]), "In joints"), @"");
+    let said: Value = serde_json::from_str(&shown(&["--json"])).unwrap();
+    let arm = serde_json::json!({ "w1": 0.02, "w2": 0.02, "w3": 0.02 });
+    assert_eq!(said["bodies"][1]["damping"], arm);
 }

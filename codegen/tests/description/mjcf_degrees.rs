@@ -27,3 +27,17 @@ fn ranges_in_radians_are_told_where_angles_are_degrees() {
     let radians = "<compiler angle=\"radian\"/>";
     assert_eq!(told(radians, &["-1.57 1.57", "0.1 2.8"]), [""; 0]);
 }
+
+#[test]
+fn help_does_not_take_the_unit_of_ranges_for_that_of_all_angles() {
+    let model = read(
+        "<mujoco><worldbody><body name=\"b\" euler=\"90 0 0\"><joint axis=\"0 1 0\" range=\"-1.57 1.57\"/><geom size=\"1\"/></body></worldbody></mujoco>",
+    );
+    let helps: Vec<_> = model
+        .faults
+        .iter()
+        .map(|fault| fault.help.as_deref())
+        .collect();
+    let help = "convert the ranges to degrees, or set `<compiler angle=\"radian\"/>` if all angles of the file are in radians";
+    assert_eq!(helps, [Some(help)]);
+}

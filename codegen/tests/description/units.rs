@@ -189,28 +189,70 @@ fn one_offset_in_millimetres_among_others_is_a_warning() {
         format!("{}[0.0, 0.0, {z}]{}", &text[..place], &text[place + 15..])
     };
     let found = warnings(&with("120.0"));
-    let told = "body `five` is 120.0 m from the origin of its lower body, 379 times the median; is it in millimetres?";
+    let told = "body `five` is 120.0 m from the origin of its lower body, 379 times the median offset; is it in millimetres?";
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].message, told);
-    // A tether, and a distance in no unit at all.
-    is_accepted(&with("45.0"));
+    // A long boom, and a distance in no unit at all.
+    is_accepted(&with("9.0"));
     is_accepted(&with("5000.0"));
     // Of a heavy system.
     is_accepted(&with("120.0").replace("mass = 2.0", "mass = 400.0"));
 }
 
 #[test]
-fn limits_of_velocity_in_degrees_are_a_warning_where_all_are() {
+fn each_of_two_offsets_in_millimetres_is_told_with_its_factor() {
     let hinge = "\"revolute\"\naxis = [0, 1, 0]";
-    let with = |velocities: [&str; 3]| {
-        let joints = velocities
-            .map(|v| format!("{hinge}\nlimits = {{ lower = -2.0, upper = 2.0, velocity = {v} }}"));
-        let names = ["one", "two", "three"].into_iter();
-        let bodies: Vec<(&str, &str)> = names.zip(joints.iter().map(String::as_str)).collect();
-        system("[0, 1, 2]", &bodies)
+    let bodies = ["one", "two", "three", "four", "five", "six"].map(|name| (name, hinge));
+    let text = system("[0, 1, 2, 3, 4, 5]", &bodies);
+    let mut parts: Vec<&str> = text.split("[0.0, 0.1, 0.3]").collect();
+    let last = parts.pop().expect("units: a text has a part");
+    let former = parts.pop().expect("units: all bodies have an offset");
+    let first = parts.join("[0.0, 0.1, 0.3]");
+    let text = format!("{first}[0.0, 0.0, 120.0]{former}[0.0, 0.0, 240.0]{last}");
+    let found: Vec<String> = warnings(&text).into_iter().map(|one| one.message).collect();
+    let told = |name: &str, metres: &str, factor: &str| {
+        format!(
+            "body `{name}` is {metres} m from the origin of its lower body, {factor} times the median offset; is it in millimetres?"
+        )
     };
+    let expected = [told("five", "120.0", "379"), told("six", "240.0", "759")];
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn a_load_on_a_tether_below_rotors_is_accepted() {
+    let hinge = "\"revolute\"\naxis = [0, 0, 1]";
+    let hull = "[\"s1\", \"s2\", \"s3\"]";
+    let rotors = ["front", "left", "rear", "right"].map(|name| (name, hinge));
+    let mut bodies = vec![("hull", hull)];
+    bodies.extend(rotors);
+    bodies.push(("load", hinge));
+    let text = system("[0, 1, 1, 1, 1, 1]", &bodies);
+    let text = text.replace("[0.0, 0.1, 0.3]", "[0.15, 0.0, 0.0]");
+    let place = text
+        .rfind("[0.15, 0.0, 0.0]")
+        .expect("units: all bodies have it");
+    let with = |z: &str| format!("{}[0.0, 0.0, {z}]{}", &text[..place], &text[place + 16..]);
+    is_accepted(&with("-25.0"));
+    assert_eq!(warnings(&with("-150.0")).len(), 1);
+}
+
+/// Joints of rotation with these limits of velocity, and with what stands before them.
+fn with_velocities<const N: usize>(range: &str, velocities: [&str; N]) -> String {
+    let hinge = "\"revolute\"\naxis = [0, 1, 0]";
+    let joints =
+        velocities.map(|velocity| format!("{hinge}\nlimits = {{ {range}velocity = {velocity} }}"));
+    let names = ["one", "two", "three", "four"].into_iter();
+    let bodies: Vec<(&str, &str)> = names.zip(joints.iter().map(String::as_str)).collect();
+    let lower: Vec<String> = (0..N).map(|body| body.to_string()).collect();
+    system(&format!("[{}]", lower.join(", ")), &bodies)
+}
+
+#[test]
+fn limits_of_velocity_in_degrees_are_a_warning_where_all_are() {
+    let with = |velocities| with_velocities("lower = -2.0, upper = 2.0, ", velocities);
     let found = warnings(&with(["98.0", "180.0", "360.0"]));
-    let told = "the velocity limits of all 3 joints with a range of angles are from 98.0 to 360.0 rad/s; are they in degrees per second?";
+    let told = "all 3 limits of velocity of rotations with a range are between 98.0 and 360.0 rad/s; are they in degrees per second?";
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].message, told);
     for accepted in [
@@ -221,8 +263,22 @@ fn limits_of_velocity_in_degrees_are_a_warning_where_all_are() {
     ] {
         is_accepted(&with(accepted));
     }
-    let fast = with(["98.0", "180.0", "360.0"]);
-    is_accepted(&fast.replace("revolute", "prismatic"));
-    // Wheels.
-    is_accepted(&fast.replace("lower = -2.0, upper = 2.0, ", ""));
+    let slides = with(["98.0", "180.0", "360.0"]).replace("revolute", "prismatic");
+    is_accepted(&slides);
+}
+
+#[test]
+fn fast_wheels_and_propellers_are_accepted() {
+    for velocity in ["60.0", "95.0"] {
+        assert_eq!(
+            warnings(&with_velocities(
+                "lower = -2.0, upper = 2.0, ",
+                [velocity; 4]
+            ))
+            .len(),
+            1
+        );
+        is_accepted(&with_velocities("", [velocity; 4]));
+        is_accepted(&with_velocities("lower = -2.0, ", [velocity; 4]));
+    }
 }

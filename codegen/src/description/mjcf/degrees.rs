@@ -30,7 +30,8 @@ pub(super) fn warn(reader: &mut Reader, settings: &Settings, bodies: &[WrittenBo
         right.value
     );
     let warning = Diagnostic::warning(message).at(right.span, "read as degrees");
-    let help = "if all angles of the file are in radians, write `<compiler angle=\"radian\"/>`; else write these ranges in degrees";
+    // Other angles of the file may be in degrees.
+    let help = "convert the ranges to degrees, or set `<compiler angle=\"radian\"/>` if all angles of the file are in radians";
     reader.faults.push(warning.help(help));
 }
 

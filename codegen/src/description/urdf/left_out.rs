@@ -8,16 +8,13 @@ const AROUND: [&str; 2] = ["gazebo", "transmission"];
 
 /// What has an effect, what of ours it would be, and what many of them are called.
 const LEFT_OUT: [(&str, &str, &str); 4] = [
-    (
-        "springStiffness",
-        "`stiffness` and `rest`",
-        "springs of Gazebo are left out",
-    ),
+    ("springStiffness", SPRING, "springs of Gazebo are left out"),
     ("rotorInertia", ARMATURE, ROTORS),
     ("motorInertia", ARMATURE, ROTORS),
     ("drake:rotor_inertia", ARMATURE, ROTORS),
 ];
 
+const SPRING: &str = "`stiffness` and `rest` (`springReference`)";
 const ARMATURE: &str = "`armature`, the rotor's inertia times the square of the gear ratio";
 const ROTORS: &str = "inertias of rotors are left out";
 

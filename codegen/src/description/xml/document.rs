@@ -84,11 +84,10 @@ impl<'d> Element<'d> {
         self.place(start, if tag.contains('\n') { name } else { end })
     }
 
-    /// The first text directly inside that is not blank; comments may stand before it.
+    /// The first text directly inside that is not blank: comments may stand around it.
     pub(crate) fn content(self) -> Option<&'d str> {
-        let texts = self.node.children().filter(roxmltree::Node::is_text);
-        let mut texts = texts.filter_map(|child| child.text());
-        texts.find(|text| !text.trim_ascii().is_empty())
+        let mut texts = self.node.children().filter(Node::is_text);
+        texts.find_map(|node| node.text().filter(|text| !text.trim_ascii().is_empty()))
     }
 
     /// The elements directly inside, in the order of the file.
