@@ -12,7 +12,7 @@ fn info(arguments: &[&str]) -> String {
 }
 
 /// The text below a heading, up to the next one.
-fn section(text: &str, heading: &str) -> String {
+pub(crate) fn section(text: &str, heading: &str) -> String {
     let from = text.find(heading).unwrap();
     let paragraphs: Vec<&str> = text[from..].splitn(3, "\n\n").collect();
     paragraphs[1].to_owned()
@@ -447,51 +447,4 @@ fn a_long_sum_is_counted_under_the_name_that_it_was_given() {
     };
     assert!(counted(&named).contains("\n  all_of_it = ..  "));
     assert!(counted(sum).contains(&format!("\n  {sum}  ")));
-}
-
-#[test]
-fn what_acts_in_joints_is_shown_a_line_a_kind() {
-    let project = Project::empty();
-    let text = model("arm", "2.0");
-    let shown = |options: &[&str]| {
-        let ran = project.kane(&[&["info", "arm.toml", "--functions", "bias"], options].concat());
-        assert_eq!(ran.code, 0, "{ran:?}");
-        ran.out
-    };
-    project.write("arm.toml", &text);
-    assert!(!shown(&[]).contains("In joints"));
-    let spring = "stiffness = { s2 = { runtime = 3.0 } }\nrest = { s2 = 0.5 }\ndamping = 0.1\n";
-    let text = text.replace(
-        "joint = [\"theta1\"",
-        &format!("{spring}joint = [\"theta1\""),
-    );
-    project.write("arm.toml", &(text + "damping = 0.1\nfriction = 0.2\n"));
-    insta::assert_snapshot!(section(&shown(&[]), "In joints"), @"
-    stiffness, N m/rad or N/m: upper_s2 3.0
-    rest, rad or m: upper_s2 0.5
-    damping, N m s/rad or N s/m: 0.1 for all
-    friction (not in the equations), N m or N: fore_theta2 0.2
-    ");
-    let said: Value = serde_json::from_str(&shown(&["--json"])).unwrap();
-    let upper = &said["bodies"][0];
-    assert_eq!(upper["stiffness"], serde_json::json!({ "s2": 3.0 }));
-    assert_eq!(
-        upper["damping"],
-        serde_json::json!({ "theta1": 0.1, "s2": 0.1 })
-    );
-    assert_eq!(upper.get("armature"), None);
-    assert_eq!(said["bodies"][1].get("stiffness"), None);
-}
-
-#[test]
-fn what_acts_in_joints_is_named_by_motions_or_components_of_angular_velocity() {
-    let path = repository("examples/optimal/models/tumbler.toml");
-    let shown = |options: &[&str]| {
-        let all = [&["info", path.to_str().unwrap()], options].concat();
-        Project::empty().kane(&all).out
-    };
-    insta::assert_snapshot!(section(&shown(&[]), "In joints"), @"");
-    let said: Value = serde_json::from_str(&shown(&["--json"])).unwrap();
-    let arm = serde_json::json!({ "w1": 0.02, "w2": 0.02, "w3": 0.02 });
-    assert_eq!(said["bodies"][1]["damping"], arm);
 }

@@ -21,6 +21,7 @@ mod hostile;
 #[cfg(unix)]
 mod hosts;
 mod info;
+mod info_mechanics;
 mod interface;
 #[cfg(unix)]
 mod kills;
