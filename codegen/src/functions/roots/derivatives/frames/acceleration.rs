@@ -104,17 +104,19 @@ pub(super) fn by_motions(
         let (before, after) = (&moving.before[place], &moving.after[place]);
         for &speed in &group.speeds {
             let own = columns[speed.index()];
-            let carried = if is_local {
+            let turned = if is_local {
                 // The frame's axes turn with the motion.
-                let turned = graph.sub_vectors(after.acceleration[0], whole[0]);
-                let linear = linear_by_coordinate(graph, own, before, (after, turned));
-                [linear, turning_seen(graph, own[1], before, after)]
+                graph.sub_vectors(after.acceleration[0], whole[0])
             } else {
-                let turned = after.acceleration[0];
-                let linear = linear_by_coordinate(graph, own, before, (after, turned));
-                [linear, turning(graph, own[1], before, after)]
+                after.acceleration[0]
             };
-            put(&mut by_q, speed.index(), carried);
+            let linear = linear_by_coordinate(graph, own, before, (after, turned));
+            let angular = if is_local {
+                turning_seen(graph, own[1], before, after)
+            } else {
+                turning(graph, own[1], before, after)
+            };
+            put(&mut by_q, speed.index(), [linear, angular]);
             let velocity = if group.speeds.len() == 1 {
                 by_speed_alone(graph, own, before, after)
             } else {
