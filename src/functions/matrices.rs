@@ -142,7 +142,8 @@ pub trait MassMatrixDot<R: Real>: System<R> {
 
 /// Solves `M x = b` with the factors of `M`, in place: `b` becomes `x`.
 ///
-/// `entries`, `places` and `order` are those of [`MassMatrixFactors`]. Entries missing from the lists count as zero.
+/// `entries`, `places` and `order` are those of [`MassMatrixFactors`]. Entries missing from the lists count as zero. For one `b` a state,
+/// [`MassMatrixSolve`](super::MassMatrixSolve) is faster.
 ///
 /// ```
 /// use kane::{Array, Real, functions::{MassMatrixFactors, solve_factored}};
@@ -157,6 +158,51 @@ pub trait MassMatrixDot<R: Real>: System<R> {
 /// }
 /// ```
 pub fn solve_factored<R: Real>(entries: &[R], places: &[[usize; 2]], order: &[usize], b: &mut [R]) {
+    let is_by_rows = order.iter().rev().copied().eq(0..b.len());
+    if is_by_rows {
+        solve_by_rows(entries, places, b);
+    } else {
+        solve_in_order(entries, places, order, b);
+    }
+}
+
+/// The same where the last speed is eliminated first, as on most trees: entries are then in the order in which they are needed.
+fn solve_by_rows<R: Real>(entries: &[R], places: &[[usize; 2]], b: &mut [R]) {
+    for (&l, &[row, column]) in entries.iter().zip(places).rev() {
+        if row != column
+            && let Some(&own) = b.get(row)
+            && let Some(rest) = b.get_mut(column)
+        {
+            *rest = *rest - l * own;
+        }
+    }
+    let mut rest = entries;
+    for row in places.chunk_by(|[one, _], [other, _]| one == other) {
+        let (own, others) = rest.split_at(row.len().min(rest.len()));
+        rest = others;
+        // A row ends with its pivot.
+        let (Some((&pivot, own)), Some((&[k, last], columns))) =
+            (own.split_last(), row.split_last())
+        else {
+            continue;
+        };
+        let Some(&known) = b.get(k).filter(|_| k == last) else {
+            continue;
+        };
+        let mut x = known / pivot;
+        for (&l, &[_, column]) in own.iter().zip(columns).rev() {
+            if let Some(&solved) = b.get(column) {
+                x = x - l * solved;
+            }
+        }
+        if let Some(solved) = b.get_mut(k) {
+            *solved = x;
+        }
+    }
+}
+
+/// The same in any order.
+fn solve_in_order<R: Real>(entries: &[R], places: &[[usize; 2]], order: &[usize], b: &mut [R]) {
     let entry = |k: usize, other: usize| {
         let place = places.binary_search(&[k.max(other), k.min(other)]).ok()?;
         entries.get(place).copied()

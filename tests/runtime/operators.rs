@@ -58,8 +58,47 @@ fn factors_solve() {
 }
 
 #[test]
+fn branches_may_be_eliminated_in_any_order() {
+    // Two branches with three speeds each.
+    let places = [0, 3].map(|root| {
+        let own = [[0, 0], [1, 0], [1, 1], [2, 0], [2, 1], [2, 2]];
+        own.map(|place| place.map(|speed| root + speed))
+    });
+    let mut random = Random::new(13);
+    let entries = [(); 12].map(|()| random.between(0.5, 2.0));
+    let b = [(); 6].map(|()| random.symmetric());
+    let solved = |order: [usize; 6]| {
+        let mut x = b;
+        solve_factored(&entries, places.as_flattened(), &order, &mut x);
+        x
+    };
+    let by_rows = solved([5, 4, 3, 2, 1, 0]);
+    for order in [[2, 1, 0, 5, 4, 3], [2, 5, 1, 4, 0, 3]] {
+        assert_eq!(solved(order), by_rows, "{order:?}");
+    }
+    // `L^T D L` times the solution.
+    for (root, own) in [0, 3].into_iter().zip(entries.chunks(6)) {
+        let &[d0, l10, d1, l20, l21, d2] = own else {
+            unreachable!("a branch has six entries");
+        };
+        let x = &by_rows[root..root + 3];
+        let [y0, y1, y2] = [
+            d0 * x[0],
+            d1 * (l10 * x[0] + x[1]),
+            d2 * (l20 * x[0] + l21 * x[1] + x[2]),
+        ];
+        let found = [y0 + l10 * y1 + l20 * y2, y1 + l21 * y2, y2];
+        assert_close("b", &found, &b[root..root + 3], SOLUTION);
+    }
+}
+
+#[test]
 fn what_the_lists_lack_is_no_panic() {
-    let mut b = [1.0, 2.0];
-    solve_factored::<f64>(&[], &[[0, 0], [7, 9]], &[1, 5, 0], &mut b);
-    assert_eq!(b, [1.0, 2.0]);
+    for order in [&[1, 5, 0][..], &[1, 0]] {
+        let mut b = [1.0, 2.0];
+        solve_factored::<f64>(&[], &[[0, 0], [7, 9]], order, &mut b);
+        assert_eq!(b, [1.0, 2.0]);
+        solve_factored(&[2.0, 3.0], &[[0, 0], [7, 9]], order, &mut b);
+        assert_eq!(b, [0.5, 2.0]);
+    }
 }
