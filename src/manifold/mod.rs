@@ -7,7 +7,7 @@
 //!
 //! All functions use only arithmetic of [`Real`], without branches on numbers, allocation or the platform's arc tangent. So the bits are the
 //! same everywhere, also in lanes, and the module is `no_std`. Of a model it uses [`System::JOINTS`] alone. If a system lacks this table, all
-//! its speeds count as rates of coordinates.
+//! its speeds count as rates of coordinates, and one with more coordinates than speeds does not compile.
 //!
 //! ```
 //! # #[cfg(feature = "cart_pole")] {
@@ -24,6 +24,8 @@
 mod angle;
 pub(crate) mod rate;
 mod tangent;
+#[cfg(doctest)]
+mod told;
 pub(crate) mod turn;
 
 pub(crate) use angle::sign;
@@ -129,6 +131,16 @@ struct Known<R, S>(PhantomData<(R, S)>);
 impl<R: Real, S: System<R>> Known<R, S> {
     /// True if there is a joint whose speeds are not rates of its coordinates.
     const TURNS: bool = any_turns(S::JOINTS);
+
+    /// True if the system says which coordinates and speeds its joints have.
+    const IS_TOLD: bool = {
+        let is_told = !S::JOINTS.is_empty();
+        assert!(
+            is_told || S::Q::LEN == S::U::LEN,
+            "kane: this system has more coordinates than speeds, so it needs `JOINTS`"
+        );
+        is_told
+    };
 }
 
 const fn any_turns(joints: &[Joint]) -> bool {
@@ -180,8 +192,7 @@ pub fn scale_quaternions<R: Real, S: System<R>>(system: &S, q: &mut S::Q) {
 
 /// The places, in `q` and in `u`, of coordinates whose rates are speeds.
 pub(crate) fn rates<R: Real, S: System<R>>() -> impl Iterator<Item = (usize, usize)> {
-    let is_told = !S::JOINTS.is_empty();
-    let all = if is_told { 0 } else { S::U::LEN };
+    let all = if Known::<R, S>::IS_TOLD { 0 } else { S::U::LEN };
     let told = S::JOINTS.iter().flat_map(Joint::rates);
     (0..all).map(|place| (place, place)).chain(told)
 }
