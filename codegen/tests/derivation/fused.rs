@@ -2,7 +2,12 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
-use std::{fmt::Write as _, fs};
+use std::{
+    collections::HashMap,
+    fmt::Write as _,
+    fs,
+    sync::{Arc, LazyLock, Mutex, OnceLock},
+};
 
 use kane_codegen::{
     compile::{self, Emittable},
@@ -42,39 +47,73 @@ const TOLD: [&str; 6] = [
     "loaded_forward_dynamics+d(loaded_forward_dynamics)/d(q, u)+mass_matrix_inverse_packed",
 ];
 
-/// Models with hinges and sliders, joints of several angles, quaternions, followers, runtime values.
-fn models() -> Vec<(&'static str, Tree)> {
-    let robot = |path: &'static str, base| {
-        let reading = Reading {
-            base: Some(base),
-            ..Reading::default()
-        };
-        (path, read(path, &reading))
-    };
-    let own = |path: &'static str| (path, read(path, &Reading::default()));
-    vec![
-        own("codegen/tests/models/cart_pole.toml"),
-        own("codegen/tests/models/pendulum.toml"),
-        own("models/eight_body.toml"),
-        own("tests/robots/gripper/gripper.urdf"),
-        robot("tests/robots/panda/panda.urdf", Base::Fixed),
-        robot("tests/robots/solo12/solo12.urdf", Base::Free),
-    ]
+/// A model of this repository, and what of it was compiled, which several tests look at.
+struct Model {
+    path: &'static str,
+    tree: Tree,
+    alone: Mutex<HashMap<String, Compiled>>,
 }
 
-/// One function alone, with its values.
-fn alone(tree: &Tree, name: &str) -> (Emittable, Vec<f64>) {
-    compiled(tree, &[name]).remove(name).unwrap()
+/// One function alone in its module, with its values, once it is compiled.
+type Compiled = Arc<OnceLock<(Emittable, Vec<f64>)>>;
+
+impl Model {
+    fn new(path: &'static str, base: Option<Base>) -> Self {
+        let reading = Reading {
+            base,
+            ..Reading::default()
+        };
+        let (tree, alone) = (read(path, &reading), Mutex::default());
+        Self { path, tree, alone }
+    }
+
+    /// What is found of a function that is alone in its module.
+    fn alone<T>(&self, name: &str, of: impl FnOnce(&Emittable, &[f64]) -> T) -> T {
+        let mut known = self.alone.lock().unwrap();
+        let own = known.entry(name.to_owned()).or_default().clone();
+        drop(known);
+        let compile = || compiled(&self.tree, &[name]).remove(name).unwrap();
+        let (emittable, values) = own.get_or_init(compile);
+        of(emittable, values)
+    }
+
+    fn operations(&self, name: &str) -> Operations {
+        self.alone(name, |own, _| own.operations)
+    }
+
+    fn values(&self, name: &str) -> Vec<f64> {
+        self.alone(name, |_, values| values.to_vec())
+    }
+}
+
+/// Models with hinges and sliders, joints of several angles, quaternions, followers, runtime values.
+static MODELS: LazyLock<[Model; 6]> = LazyLock::new(|| {
+    [
+        Model::new("codegen/tests/models/cart_pole.toml", None),
+        Model::new("codegen/tests/models/pendulum.toml", None),
+        Model::new("models/eight_body.toml", None),
+        Model::new("tests/robots/gripper/gripper.urdf", None),
+        Model::new("tests/robots/panda/panda.urdf", Some(Base::Fixed)),
+        Model::new("tests/robots/solo12/solo12.urdf", Some(Base::Free)),
+    ]
+});
+
+/// The one with that file.
+fn model(path: &str) -> &'static Model {
+    MODELS
+        .iter()
+        .find(|model| model.path.ends_with(path))
+        .unwrap()
 }
 
 #[test]
 fn outputs_are_those_of_the_separate_functions_in_the_order_asked_for() {
-    for (model, tree) in models() {
+    for model in &*MODELS {
         for joined in JOINED.into_iter().chain(TOLD) {
-            let (_, found) = alone(&tree, joined);
+            let found = model.values(joined);
             let parts = joined.split('+');
-            let expected: Vec<f64> = parts.flat_map(|part| alone(&tree, part).1).collect();
-            let at = format!("{model} {joined}");
+            let expected: Vec<f64> = parts.flat_map(|part| model.values(part)).collect();
+            let at = format!("{} {joined}", model.path);
             assert_close(
                 at,
                 &found,
@@ -87,21 +126,21 @@ fn outputs_are_those_of_the_separate_functions_in_the_order_asked_for() {
 
 #[test]
 fn expressions_of_one_formulation_have_the_bits_of_the_separate_ones() {
-    for (model, tree) in models() {
+    for Model { path, tree, .. } in &*MODELS {
         for formulation in [Formulation::Notes, Formulation::Recursive] {
             for joined in JOINED {
                 let evaluated = |text: &str| {
                     let derived = Request::parse(text).unwrap().derive(
-                        &tree,
+                        tree,
                         formulation,
-                        &kane_codegen::recursive::Plan::full(&tree),
+                        &kane_codegen::recursive::Plan::full(tree),
                     );
                     derived
                         .graph
-                        .evaluate(&derived.roots, |given| input(&tree, given))
+                        .evaluate(&derived.roots, |given| input(tree, given))
                 };
                 let expected: Vec<f64> = joined.split('+').flat_map(evaluated).collect();
-                assert_eq!(evaluated(joined), expected, "{model} {joined}");
+                assert_eq!(evaluated(joined), expected, "{path} {joined}");
             }
         }
     }
@@ -109,50 +148,42 @@ fn expressions_of_one_formulation_have_the_bits_of_the_separate_ones() {
 
 #[test]
 fn shared_work_is_done_once() {
-    for (model, tree) in models() {
+    for model in &*MODELS {
+        let path = model.path;
         for joined in JOINED.into_iter().chain(TOLD) {
-            let whole = alone(&tree, joined).0;
-            let request = whole.request;
-            let whole = whole.operations;
+            let request = model.alone(joined, |own, _| own.request.clone());
+            let whole = model.operations(joined);
             // A sine costs more than another operation; alone, a part may take one more to save others.
             let cost = |operations: Operations| compile::cost(&request, operations);
             let parts = joined.split('+');
-            let parts: Vec<Operations> =
-                parts.map(|part| alone(&tree, part).0.operations).collect();
+            let parts: Vec<Operations> = parts.map(|part| model.operations(part)).collect();
             let apart: usize = parts.iter().map(|part| cost(*part)).sum();
             let sines = parts.iter().map(|part| part.trig);
             let most = sines.clone().max().expect("a part at least");
             let shares = sines.sum::<usize>() > most;
             assert!(
                 cost(whole) < apart || !shares,
-                "{model} {joined}: {whole}, apart at a cost of {apart}"
+                "{path} {joined}: {whole}, apart at a cost of {apart}"
             );
-            assert!(cost(whole) <= apart, "{model} {joined}");
-            assert_eq!(whole.trig, most, "{model} {joined}: one sine an angle");
+            assert!(cost(whole) <= apart, "{path} {joined}");
+            assert_eq!(whole.trig, most, "{path} {joined}: one sine an angle");
         }
     }
 }
 
 #[test]
 fn parts_that_want_other_plans_get_them() {
-    for (path, base, joined) in [
+    for (path, joined) in [
         (
-            "tests/robots/solo12/solo12.urdf",
-            Base::Free,
+            "solo12.urdf",
             "mass_matrix_factors+d(hybrid_dynamics)/d(q, u)",
         ),
         (
-            "tests/robots/panda/panda.urdf",
-            Base::Fixed,
+            "panda.urdf",
             "hessian(mass_matrix_solve; q, tau)+jvp(bias; q, u)",
         ),
     ] {
-        let reading = Reading {
-            base: Some(base),
-            ..Reading::default()
-        };
-        let tree = read(path, &reading);
-        let count = |text: &str| alone(&tree, text).0.operations.total();
+        let count = |text: &str| model(path).operations(text).total();
         let apart: usize = joined.split('+').map(count).sum();
         let whole = count(joined);
         assert!(whole < apart, "{joined}: {whole} of {apart}");
@@ -162,15 +193,12 @@ fn parts_that_want_other_plans_get_them() {
 #[test]
 fn operations_of_robots() {
     let mut text = String::new();
-    for (model, tree) in models().into_iter().skip(2) {
+    for model in &MODELS[2..] {
         for joined in JOINED.into_iter().chain(TOLD) {
-            let whole = alone(&tree, joined).0.operations;
-            let separate = joined.split('+').map(|part| {
-                let (emittable, _) = alone(&tree, part);
-                emittable.operations.total()
-            });
-            let separate: usize = separate.sum();
-            let name = model.rsplit('/').next().unwrap();
+            let whole = model.operations(joined);
+            let parts = joined.split('+');
+            let separate: usize = parts.map(|part| model.operations(part).total()).sum();
+            let name = model.path.rsplit('/').next().unwrap();
             writeln!(text, "{name} {joined}: {whole}; apart {separate}").unwrap();
         }
     }
@@ -179,15 +207,10 @@ fn operations_of_robots() {
 
 #[test]
 fn derivatives_of_one_function_asked_for_apart_cost_no_more_than_together() {
-    let arm = "tests/robots/ur5/ur5.urdf";
-    let legs = "tests/robots/solo12/solo12.urdf";
-    for (path, base) in [(arm, Base::Fixed), (legs, Base::Free)] {
-        let reading = Reading {
-            base: Some(base),
-            ..Reading::default()
-        };
-        let tree = read(path, &reading);
-        let count = |text: &str| alone(&tree, text).0.operations.total();
+    let arm = Model::new("tests/robots/ur5/ur5.urdf", Some(Base::Fixed));
+    for model in [&arm, model("solo12.urdf")] {
+        let path = model.path;
+        let count = |text: &str| model.operations(text).total();
         for (function, first, second) in [
             ("inverse_dynamics", "q, u", "u_dot"),
             ("forward_dynamics", "q, u", "tau"),
@@ -208,9 +231,7 @@ fn derivatives_of_one_function_asked_for_apart_cost_no_more_than_together() {
 
 #[test]
 fn each_derivative_of_a_joined_function_is_swept_for_in_its_own_way() {
-    let reading = Reading::default();
-    let tree = read("tests/robots/panda/panda.urdf", &reading);
-    let count = |name: &str| alone(&tree, name).0.operations.total();
+    let count = |name: &str| model("panda.urdf").operations(name).total();
     for parts in [
         ["vjp(inverse_dynamics; q, u)", "jvp(inverse_dynamics; q, u)"],
         ["jvp(inverse_dynamics; q, u)", "d(kinetic_energy)/d(q, u)"],
@@ -223,9 +244,7 @@ fn each_derivative_of_a_joined_function_is_swept_for_in_its_own_way() {
 
 #[test]
 fn the_page_of_functions_has_the_counts_of_what_is_read_off_the_coriolis_matrix() {
-    let reading = Reading::default();
-    let tree = read("tests/robots/panda/panda.urdf", &reading);
-    let count = |name: &str| alone(&tree, name).0.operations.total();
+    let count = |name: &str| model("panda.urdf").operations(name).total();
     let joined = "mass_matrix+coriolis_matrix+gravity_forces";
     let (all, one) = (count(joined), count("coriolis_matrix"));
     pages::functions().says(&format!(
