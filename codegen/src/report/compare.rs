@@ -110,19 +110,3 @@ fn stated(attributes: &[Attribute]) -> Option<Counted> {
         }
     })
 }
-
-/// True where two texts differ, by more than their line ends, and have the same banner and the same code: one was
-/// formatted by something else.
-pub fn differs_in_layout_only(old: &str, new: &str) -> bool {
-    let layout = |text: &str| rust::read(text, |file| prettyplease::unparse(&file)).ok();
-    let banner = |text: &str| -> Vec<String> {
-        let lines = text.lines().take_while(|line| line.starts_with("//"));
-        lines.map(str::to_owned).collect()
-    };
-    let differs = old.replace("\r\n", "\n") != new && banner(old) == banner(new);
-    if !differs {
-        return false;
-    }
-    let before = layout(old);
-    before.is_some() && before == layout(new)
-}

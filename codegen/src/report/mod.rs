@@ -21,7 +21,7 @@ mod svg;
 mod turned;
 
 pub use crate::listing::Counted;
-pub use compare::{Change, Comparison, compare, counted, differs_in_layout_only};
+pub use compare::{Change, Comparison, compare, counted};
 pub use counts::{Counts, count};
 pub use declarations::{Redeclared, redeclared};
 pub use differences::{Differences, LayoutChange, ValueChange, differences};
