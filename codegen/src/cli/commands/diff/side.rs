@@ -8,7 +8,7 @@ use std::{
 
 use kane_codegen::{
     description::{self, Reading},
-    diagnostic::{Diagnostic, Diagnostics, Escaped, Source},
+    diagnostic::{Diagnostics, Escaped, Source},
     error::Error,
     generate,
     options::Options,
@@ -44,12 +44,7 @@ impl Described {
     /// What should be known about it, and not of the old one.
     pub(super) fn news(&self, old: &Self) -> Option<Diagnostics> {
         let (own, old) = (self.warnings.as_ref()?, old.warnings.as_ref()?);
-        let is_new = |one: &&Diagnostic| {
-            let mut others = old.list().iter();
-            !others.any(|other| other.severity == one.severity && other.message == one.message)
-        };
-        let news = own.list().iter().filter(is_new).cloned();
-        Some(Diagnostics::new(own.source().clone(), news.collect()))
+        Some(own.without(old))
     }
 }
 
