@@ -11,7 +11,7 @@ use kane_codegen::{
     generate::Generated,
     origin::{self, OUTPUT_FORMAT},
     output, ownership,
-    report::{self, Comparison},
+    report::{Comparison, ReadModule},
 };
 
 use crate::cli::{
@@ -321,7 +321,8 @@ fn write_comparison(out: &mut dyn Write, file: &Compared<'_>, old: &str) -> io::
         return Ok(());
     }
     let path = file.path.display();
-    let comparison = match report::compare(old, file.new) {
+    let read = |text| ReadModule::read(text);
+    let comparison = match read(old).and_then(|old| Ok(old.compare(&read(file.new)?))) {
         Ok(comparison) => comparison,
         Err(error) => {
             return writeln!(

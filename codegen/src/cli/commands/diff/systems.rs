@@ -206,5 +206,6 @@ fn report(snapshots: [&Snapshot; 2], jobs: [&Job; 2]) -> Result<Report, Failures
     let module = jobs[1].files();
     let module = module.first().map_or(Path::new(""), |file| file);
     let names = [snapshots[0].file(module)?, snapshots[1].file(module)?];
-    Report::new(names.each_ref().map(String::as_str), [&old, &new])
+    let names = names.each_ref().map(String::as_str);
+    Ok(Report::new(names, [&old, &new]))
 }
