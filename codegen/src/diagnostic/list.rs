@@ -1,6 +1,6 @@
 //! All faults of a file: collected as they are found, then in the order in which they stand there.
 
-use std::fmt;
+use std::{collections::BTreeSet, fmt};
 
 use super::{Diagnostic, Severity, Source};
 use crate::limits::TOLD;
@@ -79,6 +79,18 @@ impl Diagnostics {
     pub fn extend(&mut self, more: impl IntoIterator<Item = Diagnostic>) {
         self.list.extend(more);
         self.list.sort_by_key(Diagnostic::place);
+    }
+
+    /// Those that others do not have, by what they say: places move when a file is edited.
+    #[must_use]
+    pub fn without(&self, others: &Self) -> Self {
+        let says = |one: &Diagnostic| (one.severity, one.message.clone());
+        let told: BTreeSet<(Severity, String)> = others.list.iter().map(says).collect();
+        let list = self.list.iter().filter(|one| !told.contains(&says(one)));
+        Self {
+            source: self.source.clone(),
+            list: list.cloned().collect(),
+        }
     }
 
     /// The source that they are about.

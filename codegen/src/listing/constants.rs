@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use super::{
-    BaseTerm, Facts, Frame, Function, Joint, Module, N_ANGLES, PackedEntries, Pattern, Size,
+    BaseTerm, Facts, Frame, Function, Joint, N_ANGLES, PackedEntries, Pattern, Size,
     facts::units::by_place,
 };
 use crate::functions::{
@@ -323,25 +323,11 @@ impl Facts {
     }
 }
 
-impl Module {
-    /// Which model it is, and what its functions cost.
-    pub fn identity(&self) -> [Constant<'_>; 2] {
-        [
-            constant(
-                FINGERPRINT,
-                "Hash of the model: of every name, number, joint and place in it after all changes, whatever is generated from it.",
-                Data::Hash(self.facts.origin.fingerprint),
-            ),
-            constant(
-                OPERATIONS,
-                "Of each function the multiplications, additions, divisions, sines and cosines of one call.",
-                Data::Costs(self.costed().collect()),
-            ),
-        ]
-    }
-}
-
-fn constant<'a>(name: &'a str, doc: impl Into<Cow<'a, str>>, data: Data<'a>) -> Constant<'a> {
+pub(super) fn constant<'a>(
+    name: &'a str,
+    doc: impl Into<Cow<'a, str>>,
+    data: Data<'a>,
+) -> Constant<'a> {
     let doc = doc.into();
     Constant { name, doc, data }
 }

@@ -2,6 +2,7 @@
 
 use super::{
     Facts, Function,
+    constants::{Constant, Data, FINGERPRINT, OPERATIONS, constant},
     verify::{verify, verify_facts},
     write::{FunctionWriter, nominal, sin_cos},
 };
@@ -50,6 +51,22 @@ impl Module {
             let name = &function.signature.name;
             verify(&self.facts, function).map_err(|fault| format!("`{name}`: {fault}"))
         })
+    }
+
+    /// Which model it is, and what its functions cost.
+    pub fn identity(&self) -> [Constant<'_>; 2] {
+        [
+            constant(
+                FINGERPRINT,
+                "Hash of the model: of every name, number, joint and place in it after all changes, whatever is generated from it.",
+                Data::Hash(self.facts.origin.fingerprint),
+            ),
+            constant(
+                OPERATIONS,
+                "Of each function the multiplications, additions, divisions, sines and cosines of one call.",
+                Data::Costs(self.costed().collect()),
+            ),
+        ]
     }
 
     /// All functions: those that others need before, then what was asked for.

@@ -2,7 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::{Code, Entry, Expression, Extent, Facts, Function, Stage, Statement};
+use super::{
+    Code, Entry, Expression, Extent, Facts, Function, Stage, Statement,
+    constants::{FINGERPRINT, OPERATIONS},
+};
 use crate::functions::{Access, Signature};
 
 /// A broken promise of a function.
@@ -12,7 +15,7 @@ pub enum Fault {
     /// A name that some language cannot have.
     #[error("`{0}` is no identifier in lower snake case")]
     NoIdentifier(String),
-    /// Two arguments, locals or arrays with one name.
+    /// Two arguments, locals, arrays or constants with one name.
     #[error("`{0}` is the name of two things")]
     SameName(String),
     /// A local or array is read before it is assigned, or is none of the function's.
@@ -59,14 +62,18 @@ pub enum Fault {
     NotFinite,
 }
 
-/// Checks that names of parameters, of prepared fields and of bodies are unique identifiers.
+/// Checks that names of parameters, of prepared fields and of bodies are unique identifiers, and that no two constants have one name.
 ///
 /// # Errors
 /// The first that is none.
 pub fn verify_facts(facts: &Facts) -> Result<(), Fault> {
     check_names(facts.parameters.iter().map(|parameter| &parameter.name))?;
     check_names(facts.fields.iter())?;
-    check_names(facts.bodies.iter().map(|body| &body.identifier))
+    check_names(facts.bodies.iter().map(|body| &body.identifier))?;
+    let constants = facts.all_constants().into_iter();
+    let constants = constants.chain(facts.prescribed_constant());
+    let constants = constants.map(|constant| constant.name);
+    check_unique(constants.chain([FINGERPRINT, OPERATIONS]).collect())
 }
 
 /// Checks that names are unique identifiers; that each local is assigned once, before it is read, and is read; that what is
@@ -186,10 +193,14 @@ fn check_stored(stored: &Stored<'_>) -> Result<(), Fault> {
 }
 
 fn check_names<'a>(names: impl Iterator<Item = &'a String>) -> Result<(), Fault> {
-    let mut names: Vec<&str> = names.map(String::as_str).collect();
+    let names: Vec<&str> = names.map(String::as_str).collect();
     if let Some(name) = names.iter().find(|name| !is_identifier(name)) {
         return Err(Fault::NoIdentifier((*name).to_owned()));
     }
+    check_unique(names)
+}
+
+fn check_unique(mut names: Vec<&str>) -> Result<(), Fault> {
     names.sort_unstable();
     let twice = names.windows(2).find(|pair| pair[0] == pair[1]);
     twice.map_or(Ok(()), |pair| Err(Fault::SameName(pair[0].to_owned())))

@@ -1,13 +1,13 @@
 //! What changed between two texts of a module: functions, and the operations that each states in its documentation.
 //!
-//! In: two texts. Out: a [`Comparison`]. Reads the line `Operations: 7 = 4 mul + 3 add + 0 div + 0 trig` and nothing
+//! In: two modules. Out: a [`Comparison`]. Reads the line `Operations: 7 = 4 mul + 3 add + 0 div + 0 trig` and nothing
 //! else, so it serves for modules of any age; a function without that line is left out, and so is one that users cannot call.
 
 use std::collections::BTreeMap;
 
 use syn::{Attribute, Expr, ExprLit, File, ImplItem, Item, Lit, Meta, Visibility};
 
-use crate::{listing::Counted, rust};
+use crate::listing::Counted;
 
 /// A function that both modules hold, with other operations or in another formulation.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,57 +32,37 @@ pub struct Comparison {
 }
 
 /// Compares the functions of two modules.
-///
-/// ```
-/// let module = |count: usize| format!("/// Kinetic energy.\n///\n/// Operations: {count} = {count} mul + 0 add + 0 div + 0 trig.\npub fn kinetic_energy() {{}}");
-/// let comparison = kane_codegen::report::compare(&module(7), &module(8)).unwrap();
-/// assert_eq!(comparison.changed[0].old.operations.total(), 7);
-/// assert_eq!(comparison.changed[0].new.operations.total(), 8);
-/// ```
-///
-/// # Errors
-/// A text that is not Rust.
-pub fn compare(old: &str, new: &str) -> Result<Comparison, syn::Error> {
-    let (old_list, new_list) = (counted(old)?, counted(new)?);
-    let old_map: BTreeMap<_, _> = old_list.iter().cloned().collect();
-    let new_map: BTreeMap<_, _> = new_list.iter().cloned().collect();
+pub(super) fn compare(old: &[(String, Counted)], new: &[(String, Counted)]) -> Comparison {
+    let old_map: BTreeMap<_, _> = old.iter().map(|(name, own)| (name, own)).collect();
+    let new_map: BTreeMap<_, _> = new.iter().map(|(name, own)| (name, own)).collect();
     let mut comparison = Comparison::default();
-    for (name, new) in new_list {
-        match old_map.get(&name) {
-            None => comparison.added.push((name, new)),
-            Some(old) if *old == new => {}
-            Some(old) => comparison.changed.push(Change {
+    for (name, new) in new {
+        match old_map.get(name) {
+            None => comparison.added.push((name.clone(), new.clone())),
+            Some(&old) if old == new => {}
+            Some(&old) => comparison.changed.push(Change {
+                name: name.clone(),
                 old: old.clone(),
-                name,
-                new,
+                new: new.clone(),
             }),
         }
     }
-    comparison.removed = old_list
-        .into_iter()
-        .filter(|(name, _)| !new_map.contains_key(name))
-        .collect();
-    Ok(comparison)
+    let removed = old.iter().filter(|(name, _)| !new_map.contains_key(name));
+    comparison.removed = removed.cloned().collect();
+    comparison
 }
 
 /// The functions of a module that state their operations, in its order.
-///
-/// # Errors
-/// A text that is not Rust.
-pub fn counted(source: &str) -> Result<Vec<(String, Counted)>, syn::Error> {
-    rust::read(source, of_functions)
-}
-
-fn of_functions(file: File) -> Vec<(String, Counted)> {
+pub(super) fn counted(file: &File) -> Vec<(String, Counted)> {
     let mut list = Vec::new();
-    for item in file.items {
+    for item in &file.items {
         match item {
             Item::Fn(function) if matches!(function.vis, Visibility::Public(_)) => {
                 let name = function.sig.ident.to_string();
                 list.extend(stated(&function.attrs).map(|counted| (name, counted)));
             }
             Item::Impl(block) if block.trait_.is_none() => {
-                for item in block.items {
+                for item in &block.items {
                     if let ImplItem::Fn(function) = item {
                         let name = format!("Prepared::{}", function.sig.ident);
                         list.extend(stated(&function.attrs).map(|counted| (name, counted)));
@@ -109,20 +89,4 @@ fn stated(attributes: &[Attribute]) -> Option<Counted> {
             _ => None,
         }
     })
-}
-
-/// True where two texts differ, by more than their line ends, and have the same banner and the same code: one was
-/// formatted by something else.
-pub fn differs_in_layout_only(old: &str, new: &str) -> bool {
-    let layout = |text: &str| rust::read(text, |file| prettyplease::unparse(&file)).ok();
-    let banner = |text: &str| -> Vec<String> {
-        let lines = text.lines().take_while(|line| line.starts_with("//"));
-        lines.map(str::to_owned).collect()
-    };
-    let differs = old.replace("\r\n", "\n") != new && banner(old) == banner(new);
-    if !differs {
-        return false;
-    }
-    let before = layout(old);
-    before.is_some() && before == layout(new)
 }

@@ -1,7 +1,7 @@
 //! Why much of a long function's text changed where its model hardly did: helpers and stages that came or went, inputs in which alike
 //! branches or columns differ, and how values are declared.
 //!
-//! In: two texts. Out: each function of both with what of this changed. Operations are told by `compare`.
+//! In: two modules. Out: each function of both with what of this changed. Operations are told by `compare`.
 
 use std::{collections::BTreeMap, iter};
 
@@ -10,7 +10,6 @@ use syn::{Expr, File, FnArg, Item, ItemFn, Lit, Pat, Stmt, Type, Visibility};
 use crate::{
     functions::{HELPER_INFIX, STAGE_INFIX},
     listing::Role,
-    rust,
 };
 
 /// A function that is written in another form.
@@ -23,22 +22,21 @@ pub struct FormChange {
 }
 
 /// Compares the forms of the public functions that two modules have.
-///
-/// # Errors
-/// A text that is not Rust.
-pub fn forms(old: &str, new: &str) -> Result<Vec<FormChange>, syn::Error> {
-    let read = |text| rust::read(text, |file| of_file(&file));
-    let (old, new) = (read(old)?, read(new)?);
-    let changed = old.into_iter().filter_map(|(name, old)| {
-        let reasons = reasons(&old, new.get(&name)?);
+pub(super) fn forms(old: &Forms, new: &Forms) -> Vec<FormChange> {
+    let changed = old.iter().filter_map(|(name, old)| {
+        let reasons = reasons(old, new.get(name)?);
+        let name = name.clone();
         (!reasons.is_empty()).then_some(FormChange { name, reasons })
     });
-    Ok(changed.collect())
+    changed.collect()
 }
 
+/// Of each public function.
+pub(super) type Forms = BTreeMap<String, Form>;
+
 /// How a function is written.
-#[derive(Default)]
-struct Form {
+#[derive(Debug, Default)]
+pub(super) struct Form {
     /// By their numbers.
     helpers: BTreeMap<usize, Helper>,
     n_stages: usize,
@@ -47,13 +45,14 @@ struct Form {
 }
 
 /// What a helper is run on.
+#[derive(Debug)]
 struct Helper {
     lanes: usize,
     /// What each lane has of its own.
     inputs: usize,
 }
 
-fn of_file(file: &File) -> BTreeMap<String, Form> {
+pub(super) fn of_file(file: &File) -> Forms {
     let items = file.items.iter().filter_map(|item| match item {
         Item::Fn(function) => Some(function),
         _ => None,
@@ -67,7 +66,7 @@ fn of_file(file: &File) -> BTreeMap<String, Form> {
         };
         (function.sig.ident.to_string(), form)
     };
-    let mut forms: BTreeMap<String, Form> = public.into_iter().map(form).collect();
+    let mut forms: Forms = public.into_iter().map(form).collect();
     for function in private {
         let name = function.sig.ident.to_string();
         if let Some((form, number)) = part_of(&mut forms, &name, HELPER_INFIX) {
@@ -82,11 +81,7 @@ fn of_file(file: &File) -> BTreeMap<String, Form> {
 }
 
 /// The function that a helper or stage of this name is part of, and its number there.
-fn part_of<'a>(
-    forms: &'a mut BTreeMap<String, Form>,
-    name: &str,
-    infix: &str,
-) -> Option<(&'a mut Form, usize)> {
+fn part_of<'a>(forms: &'a mut Forms, name: &str, infix: &str) -> Option<(&'a mut Form, usize)> {
     let (of, number) = name.rsplit_once(infix)?;
     Some((forms.get_mut(of)?, number.parse().ok()?))
 }

@@ -1,6 +1,6 @@
 //! Arrays of numbers of two modules that hold something else: limits, friction, frames.
 //!
-//! In: two texts. Out: each such constant with its first entry that differs. What other comparisons tell is left out: names, places, bodies.
+//! In: two modules. Out: each such constant with its first entry that differs. What other comparisons tell is left out: names, places, bodies.
 
 use std::{collections::BTreeMap, iter};
 
@@ -18,7 +18,6 @@ use crate::{
         BASE_PARAMETER_TERMS, BASE_PARAMETERS, BODY_NAMES, COORDINATE_NAMES, JOINTS, LOWER_BODIES,
         OPERATIONS, SPEED_NAMES,
     },
-    rust,
 };
 
 /// What others tell of.
@@ -36,20 +35,16 @@ const TOLD: [&str; 10] = [
 ];
 
 /// Compares the arrays of two modules that have one length in both.
-///
-/// # Errors
-/// A text that is not Rust.
-pub fn held(old: &str, new: &str) -> Result<Vec<Meaning>, syn::Error> {
-    let read = |text| rust::read(text, |file| arrays(&file));
-    let old: BTreeMap<String, Vec<Part>> = read(old)?.into_iter().collect();
-    let both = read(new)?.into_iter().filter_map(|(name, new)| {
-        let old = old.get(&name)?;
+pub(super) fn held(old: &[Array], new: &[Array]) -> Vec<Meaning> {
+    let old: BTreeMap<&String, &Vec<Part>> = old.iter().map(|(name, own)| (name, own)).collect();
+    let both = new.iter().filter_map(|(name, new)| {
+        let old = *old.get(name)?;
         // What has another name came or went, which is told.
-        let are_same = iter::zip(old, &new).all(|(old, new)| old.place == new.place);
+        let are_same = iter::zip(old, new).all(|(old, new)| old.place == new.place);
         if old.len() != new.len() || !are_same {
             return None;
         }
-        let mut others = iter::zip(old, &new).filter(|(old, new)| old.text != new.text);
+        let mut others = iter::zip(old, new).filter(|(old, new)| old.text != new.text);
         let (old, new) = others.next()?;
         let rest = match others.count() {
             0 => String::new(),
@@ -61,17 +56,22 @@ pub fn held(old: &str, new: &str) -> Result<Vec<Meaning>, syn::Error> {
             new: new.text.clone(),
         })
     });
-    Ok(both.collect())
+    both.collect()
 }
 
+/// An array's name, and what it holds.
+pub(super) type Array = (String, Vec<Part>);
+
 /// An entry of an array, or a field of one.
-struct Part {
+#[derive(Debug)]
+pub(super) struct Part {
     /// Which it is: `[2]`, `[2].position of tool`.
     place: String,
     text: String,
 }
 
-fn arrays(file: &File) -> Vec<(String, Vec<Part>)> {
+/// The arrays that others do not tell of.
+pub(super) fn arrays(file: &File) -> Vec<Array> {
     let constants = file.items.iter().filter_map(|item| match item {
         Item::Const(constant) => Some(constant.ident.to_string()),
         _ => None,

@@ -1,6 +1,6 @@
 //! Places of two texts of a module that have one name and mean something else: code that uses them goes on and is wrong.
 //!
-//! In: two texts. Out: each such place with what it means before and after. What one text alone says is left out.
+//! In: two modules. Out: each such place with what it means before and after. What one module alone says is left out.
 
 use std::collections::BTreeMap;
 
@@ -10,41 +10,37 @@ use super::{
     constants::{constant, entries, list, string},
     meaning::Meaning,
     outline::coordinates,
-    places::Places,
 };
-use crate::{functions::PRESCRIBED, listing::constants, rust};
+use crate::{functions::PRESCRIBED, listing::constants};
 
-/// Compares the units of coordinates, which speeds are prescribed, and which entries arrays have that leave some out.
-///
-/// # Errors
-/// A text that is not Rust.
-pub fn meanings(old: &str, new: &str) -> Result<Vec<Meaning>, syn::Error> {
-    let read = |text| rust::read(text, |file| (said(&file), Places::of(&file)));
-    let ((old, old_places), (new, new_places)) = (read(old)?, read(new)?);
-    let old: BTreeMap<String, Said> = old.into_iter().collect();
-    let changed = new.into_iter().filter_map(|(name, new)| {
-        let old = old.get(&name)?;
+/// Compares the units of coordinates, and which speeds are prescribed.
+pub(super) fn meanings(old: &[Place], new: &[Place]) -> Vec<Meaning> {
+    let old: BTreeMap<&String, &Said> = old.iter().map(|(name, said)| (name, said)).collect();
+    let changed = new.iter().filter_map(|(name, new)| {
+        let old = old.get(name)?;
         // Places that moved, under names that stay, are told as such.
         let is_other = old.meaning != new.meaning && old.shown != new.shown;
         is_other.then(|| Meaning {
-            name,
+            name: name.clone(),
             old: old.shown.clone(),
-            new: new.shown,
+            new: new.shown.clone(),
         })
     });
-    let places = old_places.changed(&new_places);
-    Ok(changed.chain(places).collect())
+    changed.collect()
 }
 
+/// A place's name, and what a module says of it.
+pub(super) type Place = (String, Said);
+
 /// What a module says of a place: what it means whatever names are, and that for people.
-#[derive(Clone)]
-struct Said {
+#[derive(Debug)]
+pub(super) struct Said {
     meaning: String,
     shown: String,
 }
 
 /// What a module says, place by place.
-fn said(file: &File) -> Vec<(String, Said)> {
+pub(super) fn said(file: &File) -> Vec<Place> {
     let names = |name| -> Vec<String> {
         let names = list(file, name).into_iter();
         names.filter_map(string).collect()
@@ -60,7 +56,7 @@ fn said(file: &File) -> Vec<(String, Said)> {
         };
         Some((format!("q of {name}"), said))
     });
-    let mut said: Vec<(String, Said)> = units.collect();
+    let mut said: Vec<Place> = units.collect();
     let prescribed = constant(file, PRESCRIBED).map(entries);
     said.extend(prescribed.map(|flags| {
         let flags: Vec<bool> = flags.iter().map(|flag| is_true(flag)).collect();

@@ -1,6 +1,6 @@
 //! Arrays whose entries a model's tree and numbers decide: what is packed, the columns that are other than zero, base parameters.
 //!
-//! In: two texts of a module. Out: each such array of both that has other entries, or has them in other places. Where a system has
+//! In: two modules. Out: each such array of both that has other entries, or has them in other places. Where a system has
 //! other bodies or speeds that is told, and all of these arrays are others.
 
 use std::collections::BTreeMap;
@@ -15,13 +15,13 @@ use super::{
 use crate::{
     functions::{N_BODIES, N_SPEEDS},
     listing::constants::{BASE_PARAMETER_TERMS, BASE_PARAMETERS},
-    rust,
 };
 
 /// How the names of constants end that say which entries an array has.
 pub(super) const ENDINGS: [&str; 4] = ["_PLACES", "_SPEEDS", "_ORDER", "_BLOCKS"];
 
 /// What a module says of its arrays.
+#[derive(Debug)]
 pub(super) struct Places {
     /// The numbers of bodies and speeds.
     sizes: [Option<String>; 2],
@@ -30,13 +30,15 @@ pub(super) struct Places {
 }
 
 /// The base parameters of a module.
-struct Base {
+#[derive(Debug)]
+pub(super) struct Base {
     sums: Vec<String>,
     /// For each what it is made of, whatever names are.
     terms: Vec<Vec<String>>,
 }
 
 /// What an entry means whatever names are, and that for people.
+#[derive(Debug)]
 struct Entry {
     meaning: String,
     shown: String,
@@ -83,30 +85,26 @@ impl Places {
     }
 }
 
-/// How the base parameters of two modules differ: their number, or the first that is another sum; `None` where they do not, or one
-/// module has none.
-///
-/// # Errors
-/// A text that is not Rust.
-pub fn base_parameters_changed(old: &str, new: &str) -> Result<Option<Meaning>, syn::Error> {
-    let read = |text| rust::read(text, |file| Base::of(&file));
-    let (old, new) = (read(old)?, read(new)?);
-    let sums = |base: Base| -> Vec<Entry> {
-        let pairs = base.sums.into_iter().zip(base.terms);
+impl Base {
+    /// How those of another module differ: their number, or the first that is another sum; `None` where they do not, or one module has
+    /// none.
+    pub(super) fn changed(&self, new: &Self) -> Option<Meaning> {
+        if self.sums.is_empty() || new.sums.is_empty() {
+            return None;
+        }
+        changed(BASE_PARAMETERS, &self.entries(), &new.entries())
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let pairs = self.sums.iter().zip(&self.terms);
         let entries = pairs.map(|(shown, terms)| Entry {
             meaning: terms.join(" "),
-            shown,
+            shown: shown.clone(),
         });
         entries.collect()
-    };
-    if old.sums.is_empty() || new.sums.is_empty() {
-        return Ok(None);
     }
-    Ok(changed(BASE_PARAMETERS, &sums(old), &sums(new)))
-}
 
-impl Base {
-    fn of(file: &File) -> Self {
+    pub(super) fn of(file: &File) -> Self {
         let sums = list(file, BASE_PARAMETERS).into_iter();
         let sums: Vec<String> = sums.filter_map(string).collect();
         let mut terms = vec![Vec::new(); sums.len()];

@@ -230,7 +230,19 @@ fn test_that_passes_over_nan_is_found() {
         found("fn f() { x.max(1e-300) }"),
         ["a/tests/b.rs: `max` of floats"]
     );
+    assert_eq!(
+        found("fn f() { x.reduce(f64::max) }"),
+        ["a/tests/b.rs: `max` of floats"]
+    );
     for text in [
+        "fn f() { x.fold(0.0, |a, b| a.max(b)) }",
+        "fn f() { x.fold(-f64::INFINITY, |a, b| (a).max(b.abs())) }",
+    ] {
+        assert_eq!(found(text), ["a/tests/b.rs: `max` of floats"], "{text}");
+    }
+    for text in [
+        "fn f() { x.fold(0, |a, b| a.max(b)) }",
+        "fn f() { x.fold(0.0, |a, b| a + b).to_bits().max(y) }",
         "// f64::max\nfn f() {}",
         "const MOST: f64 = f64::MAX;",
         "fn f() { x.min(1) }",

@@ -1,6 +1,6 @@
 //! What `kane diff` tells of generated text: which kind of difference it is, and what constants of modules hold.
 
-use kane_codegen::report;
+use kane_codegen::report::ReadModule;
 use serde_json::Value;
 
 use super::project::{Project, Ran, model, repository, system};
@@ -353,7 +353,8 @@ fn helpers_and_stages_that_came_or_went_are_told() {
         format!("{parts}pub fn bias<R>() {{ {body} }}\npub fn bias_of<R>() {{}}")
     };
     let reasons = |old: &str, new: &str| {
-        let forms = report::forms(old, new).unwrap();
+        let [old, new] = [old, new].map(|text| ReadModule::read(text).unwrap());
+        let forms = old.forms(&new);
         let told = forms.into_iter();
         told.map(|own| format!("{}: {}", own.name, own.reasons.join("; ")))
             .collect::<Vec<_>>()

@@ -7,6 +7,7 @@
 mod budget;
 mod changes;
 mod check;
+mod check_layout;
 mod companions;
 mod convert;
 mod diff;

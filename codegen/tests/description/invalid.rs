@@ -331,6 +331,7 @@ files! { FILES, description_is_refused:
     massless_slides_in_a_row
     massless_tip
     mimic_cycle
+    mimic_into_a_cycle
     mimic_is_string
     mimic_of_a_fixed_joint
     mimic_of_a_joint_with_two

@@ -211,7 +211,8 @@ fn costs_as_data_are_those_of_the_documentation() {
     let (_, table) = text.split_once("pub const OPERATIONS: ").unwrap();
     let (_, table) = table.split_once("] = [\n").unwrap();
     let (table, _) = table.split_once("];").unwrap();
-    let stated = report::counted(&text).unwrap().into_iter();
+    let module = report::ReadModule::read(&text).unwrap();
+    let stated = module.counted().iter();
     let stated: Vec<String> = stated
         .map(|(name, counted)| {
             let Operations {

@@ -1,6 +1,7 @@
 //! `kane check`.
 
 use std::{
+    ffi::OsStr,
     io::{self, Write},
     path::{Path, PathBuf},
 };
@@ -10,7 +11,7 @@ use kane_codegen::{
     generate::Generated,
     origin::{self, OUTPUT_FORMAT},
     output, ownership,
-    report::{self, Comparison},
+    report::{Comparison, ReadModule},
 };
 
 use crate::cli::{
@@ -60,6 +61,13 @@ struct Compared<'a> {
     is_module: bool,
     new: &'a str,
     found: Found,
+}
+
+impl Compared<'_> {
+    /// True for what `cargo fmt` formats.
+    fn is_rust(&self) -> bool {
+        self.path.extension() == Some(OsStr::new("rs"))
+    }
 }
 
 enum Found {
@@ -232,7 +240,7 @@ fn write_file(
                 let sides = ["as it is", "as generated"].map(|side| (path.as_str(), side));
                 write!(out, "{}", diff.unified(sides))?;
             }
-            if !changed.are_comments() && report::differs_in_layout_only(old, file.new) {
+            if changed.are_layout() && file.is_rust() {
                 writeln!(
                     out,
                     "{path} differs in layout only: `#[rustfmt::skip]` at its `mod` keeps `cargo fmt` from it"
@@ -313,7 +321,8 @@ fn write_comparison(out: &mut dyn Write, file: &Compared<'_>, old: &str) -> io::
         return Ok(());
     }
     let path = file.path.display();
-    let comparison = match report::compare(old, file.new) {
+    let read = |text| ReadModule::read(text);
+    let comparison = match read(old).and_then(|old| Ok(old.compare(&read(file.new)?))) {
         Ok(comparison) => comparison,
         Err(error) => {
             return writeln!(

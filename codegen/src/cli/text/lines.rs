@@ -67,11 +67,6 @@ impl ChangedLines {
     pub(crate) fn are_layout(&self) -> bool {
         self.only == Some(Only::Layout)
     }
-
-    /// True where no line of code changed.
-    pub(crate) fn are_comments(&self) -> bool {
-        self.only == Some(Only::Comments)
-    }
 }
 
 impl fmt::Display for ChangedLines {

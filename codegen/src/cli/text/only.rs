@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, iter};
 /// What alone differs between two texts.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Only {
-    /// Spaces, line ends, commas before closing brackets.
+    /// Spaces outside strings, line ends, commas before closing brackets.
     Layout,
     /// Comments that no item has.
     Comments,
@@ -93,12 +93,13 @@ fn is_comment(line: &str) -> bool {
     line.starts_with("//") && !line.starts_with("///")
 }
 
-/// The code without what only lays it out: spaces, line ends, commas before closing brackets.
+/// The code without what only lays it out: spaces outside strings, line ends, commas before closing brackets.
 fn tokens(text: &str) -> Vec<Token<'_>> {
     let mut tokens = Vec::new();
     for line in code(text) {
         let line = line.trim_start();
         let mut rest = line.strip_prefix("///").unwrap_or(line).trim_start();
+        let mut is_in_string = false;
         while !rest.is_empty() {
             let (token, after) = first(rest, tokens.last());
             let closes = matches!(token, Token::Other(")" | "]" | "}"));
@@ -106,7 +107,12 @@ fn tokens(text: &str) -> Vec<Token<'_>> {
                 tokens.pop();
             }
             tokens.push(token);
-            rest = after.trim_start();
+            is_in_string ^= token == Token::Other("\"");
+            rest = if is_in_string {
+                after
+            } else {
+                after.trim_start()
+            };
         }
     }
     tokens

@@ -7,7 +7,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::derivative::{Asked, Derivative, DerivativeKind, Seeded, entry, gradient};
+use super::{
+    derivative::{Asked, Derivative, DerivativeKind, Seeded, entry, gradient},
+    sparsity::Sparsity,
+};
 use crate::{
     differentiate::forward,
     expr::{Expr, ExprGraph, Input},
@@ -46,38 +49,71 @@ impl Derivative {
         tree: &Tree,
         plan: &Plan,
         solution: &Solution<'_>,
-        Asked {
-            multipliers,
-            sparsity,
-        }: Asked<'_>,
+        asked: Asked<'_>,
+    ) {
+        match self.kind {
+            DerivativeKind::Jacobian | DerivativeKind::PackedJacobian => {
+                self.put_solved(derived, tree, plan, solution, asked.sparsity);
+            }
+            DerivativeKind::Jvp => {
+                let product = self.solved_along(&mut derived.graph, tree, plan, solution);
+                derived.roots.extend(product);
+            }
+            DerivativeKind::Vjp | DerivativeKind::Hessian => {
+                let (graph, multipliers) = (&mut derived.graph, asked.multipliers);
+                let gradient = self.solved_gradient(graph, tree, plan, solution, multipliers);
+                derived.roots.extend(gradient);
+            }
+        }
+    }
+
+    /// Whole derivatives, or those of their entries that are other than zero.
+    fn put_solved(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        plan: &Plan,
+        solution: &Solution<'_>,
+        sparsity: Option<&Sparsity>,
     ) {
         let graph = &mut derived.graph;
-        if matches!(
-            self.kind,
-            DerivativeKind::Jacobian | DerivativeKind::PackedJacobian
-        ) {
-            let columns = self.columns(graph, tree, plan, solution);
-            let inverse = solution.prescribed.is_none() && is_worth_an_inverse(tree, &columns);
-            let inverse = inverse.then(|| inverse_mass::inverse(graph, tree, plan));
-            let solved = solution.solved(graph, tree, plan, inverse.as_ref(), columns);
-            let sizes = solution.sizes(tree);
-            return derived.put(
-                &sizes,
-                &self.of_columns(tree, &solved, solution.values.len()),
-                sparsity,
-            );
-        }
+        let columns = self.columns(graph, tree, plan, solution);
+        let inverse = solution.prescribed.is_none() && is_worth_an_inverse(tree, &columns);
+        let inverse = inverse.then(|| inverse_mass::inverse(graph, tree, plan));
+        let solved = solution.solved(graph, tree, plan, inverse.as_ref(), columns);
+        let matrices = self.of_columns(tree, &solved, solution.values.len());
+        derived.put(&solution.sizes(tree), &matrices, sparsity);
+    }
+
+    /// The product with a direction.
+    fn solved_along(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        plan: &Plan,
+        solution: &Solution<'_>,
+    ) -> Vec<Expr> {
+        let Balance { entries, found } = solution.balance(graph, tree, plan);
+        let (seeds, _) = solution.seeds(self, graph, tree);
+        let seeds = self.along(graph, tree, seeds);
+        let rows = forward(graph, &entries, &seeds);
+        let changes: Vec<Expr> = rows.iter().map(|row| entry(graph, row, 0)).collect();
+        let changes = graph.substituted(&changes, &found);
+        let solved = solution.solved(graph, tree, plan, None, vec![changes]);
+        solved.concat()
+    }
+
+    /// The gradient for multipliers of the outputs.
+    fn solved_gradient(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        plan: &Plan,
+        solution: &Solution<'_>,
+        multipliers: &[Argument],
+    ) -> Vec<Expr> {
         let Balance { entries, found } = solution.balance(graph, tree, plan);
         let (seeds, columns) = solution.seeds(self, graph, tree);
-        if self.kind == DerivativeKind::Jvp {
-            let seeds = self.along(graph, tree, seeds);
-            let rows = forward(graph, &entries, &seeds);
-            let changes: Vec<Expr> = rows.iter().map(|row| entry(graph, row, 0)).collect();
-            let changes = graph.substituted(&changes, &found);
-            let solved = solution.solved(graph, tree, plan, None, vec![changes]);
-            derived.roots.extend(solved.concat());
-            return;
-        }
         let n_columns = columns.last().map_or(0, |last| last.end);
         let weighted = (multipliers, &entries[..]);
         let gradient = gradient(graph, tree, weighted, &seeds, n_columns);
@@ -85,8 +121,7 @@ impl Derivative {
         let weights = solution.weights(graph, tree, plan, None, multipliers);
         let in_place = solution.in_place(tree, multipliers, &weights);
         let values = in_place.into_iter().chain(found).collect();
-        let gradient = graph.substituted(&gradient, &values);
-        derived.roots.extend(gradient);
+        graph.substituted(&gradient, &values)
     }
 
     /// How the balance changes with each entry of the variables, column by column.

@@ -7,7 +7,7 @@
 use std::ops::Range;
 
 use super::{
-    given_name, joined,
+    given_name, join_faults,
     parsed_subject::ParsedSubject,
     request_error::{RequestError, all_or_faults, each_once},
     syntax::{self, AT_SIN_COS, Kind, Product, Unexpected, Word, written},
@@ -80,7 +80,7 @@ impl Parsed {
         match &parts {
             Ok(parts) => {
                 let asked: Vec<AskedPart<'_>> = parts.iter().map(ParsedPart::asked).collect();
-                faults.extend(joined::fault(text, &asked, joined::plain));
+                faults.extend(join_faults::first(text, &asked, join_faults::plain));
             }
             Err(more) => faults.extend(more.iter().cloned()),
         }
@@ -130,7 +130,7 @@ impl Parsed {
         let parts = parts.map(|part| part.on(&self.text, tree, near));
         let parts = all_or_faults(parts)?;
         let asked: Vec<AskedPart<'_>> = parts.iter().map(Part::asked).collect();
-        match joined::fault(&self.text, &asked, str::to_owned) {
+        match join_faults::first(&self.text, &asked, str::to_owned) {
             Some(fault) => Err(vec![fault]),
             None => Ok(Request::new(self.name.clone(), parts, self.at_sin_cos)),
         }

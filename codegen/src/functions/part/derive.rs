@@ -17,34 +17,10 @@ use crate::{
         told::Told,
     },
     recursive::{Plan, Technique},
-    tree::{Tree, Value},
+    tree::Tree,
 };
 
 impl Part {
-    /// By what it is derived. The recursion relies on rotations being orthonormal, which they are not where an entry changes
-    /// alone.
-    pub(super) fn formulation(&self, tree: &Tree, wanted: Formulation) -> Formulation {
-        if self.function.formulations().contains(&wanted) && !self.is_by_turn(tree) {
-            wanted
-        } else {
-            Formulation::Notes
-        }
-    }
-
-    /// True where an entry of its frames' rotations is a variable.
-    fn is_by_turn(&self, tree: &Tree) -> bool {
-        let (Some(subject), Some(derivative)) = (&self.subject, &self.derivative) else {
-            return false;
-        };
-        let frames = subject.frames.iter();
-        let turns = frames.filter_map(|frame| tree.frame_turn(frame.frame));
-        let mut entries = turns.flat_map(|turn| turn.as_flattened());
-        entries.any(|entry| match entry {
-            Value::Baked(_) => false,
-            Value::Runtime(id) => derivative.by.iter().any(|variable| variable.has(*id)),
-        })
-    }
-
     /// Derives the values of its function after others, in the same graph, in this formulation where it can be.
     pub(in crate::functions) fn derive_values(
         &self,

@@ -9,7 +9,7 @@ use crate::{
         variable::Variable,
     },
     recursive::{Plan, Technique},
-    tree::Tree,
+    tree::{Tree, Value},
 };
 
 /// A way to derive a part.
@@ -36,6 +36,30 @@ pub(in crate::functions) enum Direct {
 }
 
 impl Part {
+    /// By what it is derived. The recursion relies on rotations being orthonormal, which they are not where an entry changes
+    /// alone.
+    pub(super) fn formulation(&self, tree: &Tree, wanted: Formulation) -> Formulation {
+        if self.function.formulations().contains(&wanted) && !self.is_by_turn(tree) {
+            wanted
+        } else {
+            Formulation::Notes
+        }
+    }
+
+    /// True where an entry of its frames' rotations is a variable.
+    fn is_by_turn(&self, tree: &Tree) -> bool {
+        let (Some(subject), Some(derivative)) = (&self.subject, &self.derivative) else {
+            return false;
+        };
+        let frames = subject.frames.iter();
+        let turns = frames.filter_map(|frame| tree.frame_turn(frame.frame));
+        let mut entries = turns.flat_map(|turn| turn.as_flattened());
+        entries.any(|entry| match entry {
+            Value::Baked(_) => false,
+            Value::Runtime(id) => derivative.by.iter().any(|variable| variable.has(*id)),
+        })
+    }
+
     /// The way in this formulation by this plan.
     pub(super) fn route(&self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Route {
         if self.derivative.is_none() {

@@ -1,7 +1,7 @@
 //! What is generated: a function of the catalogue, or several in one that share their work.
 //!
 //! In: parts, on the tree of a model. Out: a [`Request`]: its name, what it is given and writes. How large it is stands in `size`, how it
-//! is derived in `functions::joined`.
+//! is derived in `functions::derive_request`.
 
 mod size;
 

@@ -9,7 +9,7 @@ use super::{
     calls::Calls,
     groups::{Group, Groups, Operand},
 };
-use crate::expr::{Call, CallId, Expr, ExprGraph, Helper, Input, Node, NodeId, Rebuilt};
+use crate::expr::{Call, CallId, Expr, ExprGraph, Helper, Input, Node, NodeId, Rebuilt, Shared};
 
 /// The graph with its calls, and its roots.
 pub(super) fn rewritten(
@@ -61,11 +61,11 @@ struct NewHelper {
 /// What a call is given.
 #[derive(Default)]
 struct Given {
-    shared: Vec<Expr>,
+    shared: Shared,
     /// Numbers of the model come last: one more moves no value.
     sides: Vec<Vec<Expr>>,
-    /// Where each row of lanes stands.
-    places: BTreeMap<Vec<Expr>, Input>,
+    /// Where each of these rows stands.
+    places: BTreeMap<Vec<Expr>, usize>,
 }
 
 impl Writer<'_> {
@@ -87,7 +87,7 @@ impl Writer<'_> {
     /// What a call reads, and the call.
     fn call(&mut self, call: usize) {
         self.copy_operands(call);
-        let given = self.all_given(call);
+        let mut given = self.sides(call);
         let mut helper = NewHelper::default();
         let own = &self.calls.groups[call];
         for &number in own {
@@ -97,7 +97,7 @@ impl Writer<'_> {
                 .iter()
                 .map(|operand| match self.inside(call, operand) {
                     Some(inside) => helper.groups[&inside],
-                    None => self.given(&mut helper.graph, &given.places, operand),
+                    None => self.given(&mut helper.graph, &mut given, operand),
                 })
                 .collect();
             let expr = self.operation(&mut helper.graph, group, &operands);
@@ -118,7 +118,7 @@ impl Writer<'_> {
         // Calls of the old graph keep their numbers.
         let number = self.old.next_lockstep().max(self.graph.next_lockstep());
         self.graph
-            .add_lockstep(number, shared, vec![Arc::new(helper)]);
+            .add_lockstep(number, shared.numbers(), vec![Arc::new(helper)]);
         let call = self.graph.add_call(number, Call { helper: 0, sides });
         for (place, &group) in found.iter().enumerate() {
             for (lane, &member) in self.groups.all[group].members.iter().enumerate() {
@@ -156,8 +156,8 @@ impl Writer<'_> {
         }
     }
 
-    /// What a call is given: what all lanes share, and what is of each.
-    fn all_given(&self, call: usize) -> Given {
+    /// What a call is given that is of each lane.
+    fn sides(&self, call: usize) -> Given {
         let mut given = Given::default();
         let mut numbers = Vec::new();
         let mut known = BTreeSet::new();
@@ -165,23 +165,18 @@ impl Writer<'_> {
         let operands = own.flat_map(|&group| &self.groups.all[group].operands);
         for operand in operands.filter(|operand| self.inside(call, operand).is_none()) {
             let (row, _) = self.lanes(operand);
-            if self.shared_number(&row).is_some() || !known.insert(row.clone()) {
+            if is_shared(&row) || !known.insert(row.clone()) {
                 continue;
             }
-            if is_shared(&row) {
-                let place = Input::Shared(given.shared.len());
-                given.shared.push(row[0]);
-                given.places.insert(row, place);
-            } else if row.iter().all(|&own| self.number(own).is_some()) {
+            if row.iter().all(|&own| self.graph.as_number(own).is_some()) {
                 numbers.push(row);
             } else {
                 given.sides.push(row);
             }
         }
         given.sides.extend(numbers);
-        let sides = given.sides.iter().enumerate();
-        let sides = sides.map(|(place, row)| (row.clone(), Input::Side(place)));
-        given.places.extend(sides);
+        let sides = given.sides.iter().cloned();
+        given.places = sides.zip(0..).collect();
         given
     }
 
@@ -194,31 +189,14 @@ impl Writer<'_> {
         (row.collect(), is_negative)
     }
 
-    fn number(&self, own: Expr) -> Option<f64> {
-        match self.graph.node(own.node()) {
-            Node::Number(bits) => Some(f64::from_bits(bits)),
-            _ => None,
-        }
-    }
-
-    /// The number that all lanes share, which a helper has itself.
-    fn shared_number(&self, row: &[Expr]) -> Option<f64> {
-        self.number(row[0]).filter(|_| is_shared(row))
-    }
-
-    /// An operand that a helper is given at one of these places, or that is a number in it.
-    fn given(
-        &self,
-        helper: &mut ExprGraph,
-        places: &BTreeMap<Vec<Expr>, Input>,
-        operand: &Operand,
-    ) -> Expr {
+    /// An operand that a helper is given, at a place of its row or as what all lanes share.
+    fn given(&self, helper: &mut ExprGraph, given: &mut Given, operand: &Operand) -> Expr {
         let (row, is_negative) = self.lanes(operand);
-        let expr = if let Some(number) = self.shared_number(&row) {
-            helper.number(number)
+        helper.enter_like(self.old, operand.nodes[0]);
+        let expr = if is_shared(&row) {
+            given.shared.share(&self.graph, helper, row[0])
         } else {
-            helper.enter_like(self.old, operand.nodes[0]);
-            helper.input(places[&row])
+            helper.input(Input::Side(given.places[&row]))
         };
         expr.signed(is_negative)
     }

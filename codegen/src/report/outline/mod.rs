@@ -1,13 +1,12 @@
 //! What a comparison sees of a system, whether it is a model or a generated module.
 //!
-//! In: a description with its tree, or the text of a module. Out: an [`Outline`]: names and texts. The values are the user's own,
+//! In: a description with its tree, or a module. Out: an [`Outline`]: names and texts. The values are the user's own,
 //! in their frames, not those of the equations.
 
 mod model;
 mod module;
 mod system;
 
-pub use module::ModuleError;
-pub(super) use module::coordinates;
+pub(super) use module::{coordinates, outline};
 pub(super) use system::{AXIS, LOWER};
 pub use system::{Body, Layout, Outline, Values};

@@ -5,35 +5,13 @@ use syn::{Attribute, Expr, File, Item, Meta, ext::IdentExt};
 use crate::{
     listing::{JointChart, constants, read_nominal},
     report::constants::{constant, entries, field, integer, list, some, string},
-    rust,
     tree::CoordinateKind,
 };
 
 use super::system::{Body, INERTIAL, LOWER, Layout, Outline, Values};
 
-/// Why a text has no outline.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ModuleError {
-    /// It is not Rust.
-    #[error("it is not Rust that can be read: {0}")]
-    Syntax(#[from] syn::Error),
-    /// It lacks what every generated module has.
-    #[error("it is no generated module: it has no `{0}`")]
-    Missing(&'static str),
-}
-
-impl Outline {
-    /// The outline of a generated module, of any age.
-    ///
-    /// # Errors
-    /// A text that is no Rust, or no generated module.
-    pub fn of_module(text: &str) -> Result<Self, ModuleError> {
-        rust::read(text, |file| of_file(&file))?
-    }
-}
-
-fn of_file(file: &File) -> Result<Outline, ModuleError> {
+/// The outline of a generated module, of any age; or what it lacks that each of these has.
+pub(in crate::report) fn outline(file: &File) -> Result<Outline, &'static str> {
     let body_names = strings(file, constants::BODY_NAMES)?;
     let (lower_bodies, joints) = (
         list(file, constants::LOWER_BODIES),
@@ -107,8 +85,8 @@ fn fields(file: &File, name: &str) -> Vec<String> {
     names.map(|name| name.unraw().to_string()).collect()
 }
 
-fn strings(file: &File, name: &'static str) -> Result<Vec<String>, ModuleError> {
-    let value = constant(file, name).ok_or(ModuleError::Missing(name))?;
+fn strings(file: &File, name: &'static str) -> Result<Vec<String>, &'static str> {
+    let value = constant(file, name).ok_or(name)?;
     Ok(entries(value).into_iter().filter_map(string).collect())
 }
 

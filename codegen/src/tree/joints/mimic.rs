@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::description::{Description, Mimic};
+use crate::description::{Description, Mimic, cycles::cycles};
 use crate::diagnostic::{Diagnostic, Escaped, NearNames};
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 use crate::tree::names::{by_joints, joint_name, joint_named, meant, shown_joint};
@@ -42,22 +42,41 @@ fn followers(
     let links: Vec<Option<Mimicking>> = (0..joints.len())
         .map(|body| link(description, joints, body, &mut names, findings))
         .collect();
-    let mut chains = Chains::of(&links);
-    let ends = (0..joints.len()).map(|body| match chains.end(body) {
-        End::Free(followed) => match follower(joints, body, followed) {
-            Some((_, freedom)) if !is_finite(freedom) => {
-                findings.push(too_large(description, body));
-                None
-            }
-            follower => follower,
-        },
-        End::Cycle(chain) => {
-            findings.push(cycle(description, &chain));
-            None
+    let leaders: Vec<Option<usize>> = links
+        .iter()
+        .map(|link| Some(link.as_ref()?.leader))
+        .collect();
+    let mut is_on_cycle = vec![false; links.len()];
+    for chain in cycles(&leaders) {
+        findings.push(cycle(description, &chain));
+        for body in chain {
+            is_on_cycle[body] = true;
         }
-        End::None => None,
+    }
+    let followers = (0..joints.len()).map(|body| {
+        let followed = followed(&links, &is_on_cycle, body)?;
+        let (motion, freedom) = follower(joints, body, followed)?;
+        if is_finite(freedom) {
+            return Some((motion, freedom));
+        }
+        findings.push(too_large(description, body));
+        None
     });
-    ends.collect()
+    followers.collect()
+}
+
+/// What a joint follows at the end of its chain; nothing where it mimics none, or the chain runs in a circle.
+fn followed(links: &[Option<Mimicking>], is_on_cycle: &[bool], body: usize) -> Option<Mimicking> {
+    let mut to = links[body].filter(|_| !is_on_cycle[body])?;
+    while let Some(next) = links[to.leader] {
+        if is_on_cycle[to.leader] {
+            return None;
+        }
+        to.offset += to.multiplier * next.offset;
+        to.multiplier *= next.multiplier;
+        to.leader = next.leader;
+    }
+    Some(to)
 }
 
 /// What the joint of a body does that follows another's; nothing where it is held.
@@ -99,68 +118,6 @@ fn is_finite(freedom: Freedom) -> bool {
         Freedom::Follows {
             multiplier, offset, ..
         } => multiplier.is_finite() && offset.is_finite(),
-    }
-}
-
-/// What joints mimic, from one to the next.
-struct Chains<'a> {
-    links: &'a [Option<Mimicking>],
-    /// From which body a joint was last reached, for chains that run in a circle.
-    reached_from: Vec<Option<usize>>,
-    on_cycle: Vec<bool>,
-}
-
-/// The end of a chain.
-enum End {
-    /// A joint that mimics none.
-    Free(Mimicking),
-    /// The chain runs in a circle through its first body, and was not met before.
-    Cycle(Vec<usize>),
-    /// There is no chain, or one that runs in a circle, which is told elsewhere.
-    None,
-}
-
-impl<'a> Chains<'a> {
-    fn of(links: &'a [Option<Mimicking>]) -> Self {
-        Self {
-            links,
-            reached_from: vec![None; links.len()],
-            on_cycle: vec![false; links.len()],
-        }
-    }
-
-    /// Where the chain that begins at the joint of a body ends.
-    fn end(&mut self, body: usize) -> End {
-        let Some(mut to) = self.links[body].filter(|_| !self.on_cycle[body]) else {
-            return End::None;
-        };
-        let mut chain = vec![body];
-        self.reached_from[body] = Some(body);
-        while let Some(next) = self.links[to.leader] {
-            if self.reached_from[to.leader] == Some(body) {
-                break;
-            }
-            self.reached_from[to.leader] = Some(body);
-            chain.push(to.leader);
-            to.offset += to.multiplier * next.offset;
-            to.multiplier *= next.multiplier;
-            to.leader = next.leader;
-        }
-        if self.links[to.leader].is_none() {
-            return End::Free(to);
-        }
-        let start = chain
-            .iter()
-            .position(|link| *link == to.leader)
-            .unwrap_or(0);
-        for body in &chain[start..] {
-            self.on_cycle[*body] = true;
-        }
-        if start == 0 {
-            End::Cycle(chain)
-        } else {
-            End::None
-        }
     }
 }
 

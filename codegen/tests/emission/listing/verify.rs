@@ -117,6 +117,18 @@ fn name_of_two_things_is_refused() {
 }
 
 #[test]
+fn name_of_two_constants_is_refused() {
+    let facts = module_of(MODEL, &["partial_velocity"]).facts;
+    assert_eq!(verify_facts(&facts), Ok(()));
+    for name in ["NB", "JOINTS", "FINGERPRINT"] {
+        let mut facts = facts.clone();
+        name.clone_into(&mut facts.patterns[0].blocks);
+        let fault = Fault::SameName(name.to_owned());
+        assert_eq!(verify_facts(&facts), Err(fault));
+    }
+}
+
+#[test]
 fn local_that_is_read_before_it_is_assigned_is_refused() {
     let fault = planted("mass_matrix", |function| {
         let place = first(function, is_assignment);

@@ -199,7 +199,7 @@ fn pair(
     let [Some(old_known), Some(new_known)] = known.map(|known| failures.keep(known)) else {
         return Err(failures);
     };
-    let report = Report::new([old.name(), new.name()], [&old_known, &new_known])?;
+    let report = Report::new([old.name(), new.name()], [&old_known, &new_known]);
     match arguments.format {
         Format::Text => {
             let shown = shown(arguments, voice);

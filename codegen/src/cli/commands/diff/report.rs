@@ -9,7 +9,7 @@ use kane_codegen::{
 };
 
 use super::side::Described;
-use crate::cli::{Failures, text::lines::ChangedLines, text::text_diff::TextDiff};
+use crate::cli::text::{lines::ChangedLines, text_diff::TextDiff};
 
 /// How modules of one model came to differ.
 #[derive(Clone, Copy)]
@@ -54,25 +54,23 @@ pub(super) struct Report {
 }
 
 impl Report {
-    pub(super) fn new(names: [&str; 2], [old, new]: [&Described; 2]) -> Result<Self, Failures> {
-        let functions = report::compare(&old.text, &new.text).map_err(Failures::message)?;
-        let redeclared = report::redeclared(&old.text, &new.text).map_err(Failures::message)?;
-        let mut meanings = report::meanings(&old.text, &new.text).map_err(Failures::message)?;
+    pub(super) fn new(names: [&str; 2], [old, new]: [&Described; 2]) -> Self {
+        let modules = [old, new].map(|known| &known.module);
+        let mut meanings = modules[0].meanings(modules[1]);
         let differences = report::differences(&old.outline, &new.outline);
         meanings.extend(report::turned(&old.outline, &new.outline, &differences));
         let texts = [old, new].map(|known| known.text.as_str());
-        let base =
-            report::base_parameters_changed(texts[0], texts[1]).map_err(Failures::message)?;
+        let base = modules[0].base_parameters_changed(modules[1]);
         let is_told = |own: &Meaning| own.name.starts_with("BASE_PARAMETERS");
         let base = base.filter(|_| !meanings.iter().any(is_told));
         let are_models = old.warnings.is_some() || new.warnings.is_some();
         let held = if are_models {
             Vec::new()
         } else {
-            report::held(texts[0], texts[1]).map_err(Failures::message)?
+            modules[0].held(modules[1])
         };
         let forms = if differences.has_same_bodies() {
-            report::forms(texts[0], texts[1]).map_err(Failures::message)?
+            modules[0].forms(modules[1])
         } else {
             Vec::new()
         };
@@ -82,12 +80,12 @@ impl Report {
         options.remove("functions");
         let lines = (!is_same).then(|| ChangedLines::of(&diff, texts[0], texts[1]));
         let diff = diff.unified([(names[0], "old"), (names[1], "new")]);
-        Ok(Self {
+        Self {
             names: names.map(str::to_owned),
             fingerprints: [old, new].map(|known| known.outline.fingerprint),
             differences,
-            functions,
-            redeclared,
+            functions: modules[0].compare(modules[1]),
+            redeclared: modules[0].redeclared(modules[1]),
             meanings,
             base,
             held,
@@ -101,7 +99,7 @@ impl Report {
             moved: moved(texts),
             diff,
             lines,
-        })
+        }
     }
 
     /// True where an array's places or their names changed, or mean something else, or where a function is gone or has other arguments.

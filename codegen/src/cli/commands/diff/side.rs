@@ -8,11 +8,11 @@ use std::{
 
 use kane_codegen::{
     description::{self, Reading},
-    diagnostic::{Diagnostic, Diagnostics, Escaped, Source},
+    diagnostic::{Diagnostics, Escaped, Source},
     error::Error,
     generate,
     options::Options,
-    report::Outline,
+    report::{Outline, ReadModule},
     tree,
 };
 
@@ -34,6 +34,8 @@ enum ReadFrom {
 pub(super) struct Described {
     /// Its system.
     pub(super) outline: Outline,
+    /// What its module says.
+    pub(super) module: ReadModule,
     /// The module's text.
     pub(super) text: String,
     /// What should be known about its model; `None` of a module.
@@ -44,12 +46,7 @@ impl Described {
     /// What should be known about it, and not of the old one.
     pub(super) fn news(&self, old: &Self) -> Option<Diagnostics> {
         let (own, old) = (self.warnings.as_ref()?, old.warnings.as_ref()?);
-        let is_new = |one: &&Diagnostic| {
-            let mut others = old.list().iter();
-            !others.any(|other| other.severity == one.severity && other.message == one.message)
-        };
-        let news = own.list().iter().filter(is_new).cloned();
-        Some(Diagnostics::new(own.source().clone(), news.collect()))
+        Some(own.without(old))
     }
 }
 
@@ -115,10 +112,12 @@ impl Side {
 
     /// What is known of a module.
     pub(super) fn of_module(&self) -> Result<Described, Failures> {
-        let outline = Outline::of_module(self.source.text())
-            .map_err(|error| Failures::message(format!("`{}`: {error}", self.name())))?;
+        let failed = |error| Failures::message(format!("`{}`: {error}", self.name()));
+        let read = ReadModule::read(self.source.text());
+        let module = read.map_err(|error| failed(error.into()))?;
         Ok(Described {
-            outline,
+            outline: module.outline().map_err(failed)?.clone(),
+            module,
             text: self.source.text().to_owned(),
             warnings: None,
         })
@@ -146,6 +145,7 @@ impl Side {
         let checked = tree::build_with(description, &options.changes)?;
         Ok(Described {
             outline: Outline::of_model(description, &checked.tree)?,
+            module: ReadModule::read(&generated.source).map_err(Failures::message)?,
             text: generated.source,
             warnings: Some(generated.warnings),
         })

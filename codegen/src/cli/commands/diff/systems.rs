@@ -1,11 +1,11 @@
 //! All systems of a repository, in two revisions or in one and as the files are.
 
 use std::{
-    collections::BTreeSet,
+    collections::{BTreeMap, BTreeSet},
     path::{Path, PathBuf},
 };
 
-use kane_codegen::diagnostic::{Diagnostic, Diagnostics, Escaped, Severity, Source};
+use kane_codegen::diagnostic::{Diagnostics, Escaped, Severity, Source};
 
 use super::{report::Report, side::Side};
 use crate::cli::{
@@ -33,20 +33,20 @@ pub(super) struct Systems {
 /// What was told of models, so that it is not told again of other systems of these.
 #[derive(Default)]
 struct Told {
-    /// The source's name and the message.
-    all: BTreeSet<[String; 2]>,
+    /// By the names of the models.
+    of: BTreeMap<String, Diagnostics>,
 }
 
 impl Told {
     /// What is not told yet.
     fn news(&mut self, warnings: &Diagnostics) -> Option<Diagnostics> {
         let source = warnings.source();
-        let key = |one: &Diagnostic| [source.name().to_owned(), one.message.clone()];
-        let news = warnings.list().iter();
-        let news = news.filter(|one| !self.all.contains(&key(one)));
-        let news: Vec<Diagnostic> = news.cloned().collect();
-        self.all.extend(news.iter().map(key));
-        (!news.is_empty()).then(|| Diagnostics::new(source.clone(), news))
+        let none = || Diagnostics::new(source.clone(), Vec::new());
+        let told = self.of.entry(source.name().to_owned());
+        let told = told.or_insert_with(none);
+        let news = warnings.without(told);
+        told.extend(news.list().iter().cloned());
+        (!news.is_empty()).then_some(news)
     }
 }
 
@@ -206,5 +206,6 @@ fn report(snapshots: [&Snapshot; 2], jobs: [&Job; 2]) -> Result<Report, Failures
     let module = jobs[1].files();
     let module = module.first().map_or(Path::new(""), |file| file);
     let names = [snapshots[0].file(module)?, snapshots[1].file(module)?];
-    Report::new(names.each_ref().map(String::as_str), [&old, &new])
+    let names = names.each_ref().map(String::as_str);
+    Ok(Report::new(names, [&old, &new]))
 }

@@ -1,8 +1,7 @@
 //! Derivatives of the partial velocities of the mass centre: how each column changes by the motion of another one.
 
-use super::{carrying, swept::swept};
+use super::{carrying, swept::by_motions_or_swept};
 use crate::{
-    differentiate::Sweep,
     expr::{ExprGraph, Vector},
     functions::{argument::Argument, entries::Entries as _, function::ByArguments},
     recursive::{Plan, totals::momentum_matrix},
@@ -15,14 +14,16 @@ pub(in crate::functions) fn jacobian(
     tree: &Tree,
     plan: &Plan,
 ) -> ByArguments {
-    let (by_q, entries) = if tree.has_followers() {
-        let entries = momentum_matrix::center_jacobian(graph, tree, plan).entries();
-        let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &entries);
-        (by_q, entries)
-    } else {
-        let (by_q, columns) = by_motions(graph, tree, plan);
-        (by_q, columns.entries())
-    };
+    let (entries, [by_q]) = by_motions_or_swept(
+        graph,
+        tree,
+        [Argument::Q],
+        |graph| momentum_matrix::center_jacobian(graph, tree, plan).entries(),
+        |graph| {
+            let (by_q, columns) = by_motions(graph, tree, plan);
+            (columns.entries(), [by_q])
+        },
+    );
     ByArguments {
         by: vec![(Argument::Q, by_q)],
         values: Some(entries),

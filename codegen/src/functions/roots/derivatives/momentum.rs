@@ -4,9 +4,8 @@
 //! mass of all. If it carries another motion, `p'`, `h'`, it changes these by `s × p'` and `s × h' + r × p'`. If the other one carries it, `s'`, `r'`,
 //! by `s' × p` and `D s' - r' × p`; and if neither does, `h'` by `p' × p / m`.
 
-use super::{carrying, swept::swept};
+use super::{carrying, swept::by_motions_or_swept};
 use crate::{
-    differentiate::Sweep,
     expr::ExprGraph,
     functions::{argument::Argument, entries::Entries as _, function::ByArguments},
     given,
@@ -25,15 +24,17 @@ pub(in crate::functions) fn momentum_matrix(
     tree: &Tree,
     plan: &Plan,
 ) -> ByArguments {
-    let (by_q, entries) = if tree.has_followers() {
-        let entries = columns::momentum_matrix(graph, tree, plan).entries();
-        let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &entries);
-        (by_q, entries)
-    } else {
-        let (columns, changes) = columns::momentum_matrix_with_changes(graph, tree, plan);
-        let by_q = by_motions(graph, tree, &columns, &changes);
-        (by_q, columns.entries())
-    };
+    let (entries, [by_q]) = by_motions_or_swept(
+        graph,
+        tree,
+        [Argument::Q],
+        |graph| columns::momentum_matrix(graph, tree, plan).entries(),
+        |graph| {
+            let (columns, changes) = columns::momentum_matrix_with_changes(graph, tree, plan);
+            let by_q = by_motions(graph, tree, &columns, &changes);
+            (columns.entries(), [by_q])
+        },
+    );
     ByArguments {
         by: vec![(Argument::Q, by_q)],
         values: Some(entries),

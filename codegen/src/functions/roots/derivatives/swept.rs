@@ -22,6 +22,22 @@ pub(super) fn swept(
     dense(graph, tree, &rows)
 }
 
+/// Values, and their derivatives by these arguments, from motion to motion; where a speed moves several joints, by sweeps over the values.
+pub(super) fn by_motions_or_swept<const N: usize>(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    by: [Argument; N],
+    values: impl FnOnce(&mut ExprGraph) -> Vec<Expr>,
+    by_motions: impl FnOnce(&mut ExprGraph) -> (Vec<Expr>, [SpeedMatrix; N]),
+) -> (Vec<Expr>, [SpeedMatrix; N]) {
+    if !tree.has_followers() {
+        return by_motions(graph);
+    }
+    let values = values(graph);
+    let by = by.map(|argument| swept(graph, tree, argument, Sweep::Forward, &values));
+    (values, by)
+}
+
 /// Rows with a place for each speed.
 fn dense(graph: &mut ExprGraph, tree: &Tree, rows: &[Row]) -> SpeedMatrix {
     let rows = rows.iter();

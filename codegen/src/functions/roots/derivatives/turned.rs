@@ -2,8 +2,8 @@
 
 use crate::{
     expr::{Expr, ExprGraph},
-    functions::{formulation::Way, roots::dynamics},
-    given::{self, Accelerations, orientation},
+    functions::roots::dynamics,
+    given::{self, Accelerations, mechanics, orientation},
     id::{BodyId, SpeedId},
     solve,
     tree::{Mechanics, Tree},
@@ -25,8 +25,8 @@ pub(super) fn turned_roots(
     by_forces: &[Vec<Expr>],
 ) -> Vec<(SpeedId, Vec<Expr>)> {
     let zero = Accelerations::Zero;
-    let none = vec![graph.zero(); tree.n_speeds];
-    let taken = dynamics::with_forces(graph, tree, Way::Notes, zero, none);
+    let mut taken = vec![graph.zero(); tree.n_speeds];
+    mechanics::add_forces(graph, tree, zero, &mut taken);
     let mut net = dynamics::applied(graph, tree);
     solve::subtract(graph, tree, &mut net, &taken);
     let gravity = given::acting_gravity(graph, tree);

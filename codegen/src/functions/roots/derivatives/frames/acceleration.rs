@@ -9,13 +9,12 @@ use super::{
     moving::{Moved, Moving, Twist, put},
 };
 use crate::{
-    differentiate::Sweep,
     expr::{Expr, ExprGraph, Vector},
     functions::{
         argument::Argument,
         formulation::Way,
         function::ByArguments,
-        roots::{derivatives::swept::swept, frames},
+        roots::{derivatives::swept::by_motions_or_swept, frames},
         subject::{Subject, View},
     },
     given::Accelerations,
@@ -52,14 +51,17 @@ fn derived(
 ) -> ByArguments {
     let way = Way::Recursive(plan);
     let by_u_dot = frames::jacobian(graph, tree, way, subject);
-    let (values, by_q, by_u) = if tree.has_followers() {
-        let values = frames::accelerated(graph, tree, way, subject, accelerations);
-        by_sweeps(graph, tree, values)
-    } else {
-        let columns = of_rows(&by_u_dot, tree.n_speeds);
-        let still = graph.zero_vector();
-        by_motions(graph, tree, subject, &columns, (accelerations, still))
-    };
+    let (values, [by_q, by_u]) = by_motions_or_swept(
+        graph,
+        tree,
+        [Argument::Q, Argument::U],
+        |graph| frames::accelerated(graph, tree, way, subject, accelerations),
+        |graph| {
+            let columns = of_rows(&by_u_dot, tree.n_speeds);
+            let still = graph.zero_vector();
+            by_motions(graph, tree, subject, &columns, (accelerations, still))
+        },
+    );
     let mut by = vec![(Argument::Q, by_q), (Argument::U, by_u)];
     if accelerations == Accelerations::Given {
         by.push((Argument::UDot, by_rows(&by_u_dot, tree.n_speeds)));
@@ -71,17 +73,6 @@ fn derived(
     }
 }
 
-/// Values, and by coordinates and by speeds, of a tree whose speeds move several joints.
-pub(super) fn by_sweeps(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    values: Vec<Expr>,
-) -> (Vec<Expr>, SpeedMatrix, SpeedMatrix) {
-    let [by_q, by_u] = [Argument::Q, Argument::U]
-        .map(|argument| swept(graph, tree, argument, Sweep::Forward, &values));
-    (values, by_q, by_u)
-}
-
 /// The acceleration, and by coordinates and by speeds, with the columns of the Jacobian. `felt` at rest, along the frame's own axes; zero
 /// of plain accelerations.
 pub(super) fn by_motions(
@@ -90,7 +81,7 @@ pub(super) fn by_motions(
     subject: &Subject,
     columns: &[Twist],
     (accelerations, felt): (Accelerations<'_>, Vector),
-) -> (Vec<Expr>, SpeedMatrix, SpeedMatrix) {
+) -> (Vec<Expr>, [SpeedMatrix; 2]) {
     let is_local = subject.view == View::Local;
     let moving = Moving::new(graph, tree, subject, columns, accelerations);
     let mut whole = moving.after[0].acceleration;
@@ -126,7 +117,7 @@ pub(super) fn by_motions(
             put(&mut by_u, speed.index(), velocity);
         }
     }
-    (whole.concat(), by_q, by_u)
+    (whole.concat(), [by_q, by_u])
 }
 
 /// `turned`: what the motion turns of the origin's acceleration.

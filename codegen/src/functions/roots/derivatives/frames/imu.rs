@@ -13,7 +13,7 @@ use crate::{
         argument::Argument,
         formulation::Way,
         function::ByArguments,
-        roots::frames,
+        roots::{derivatives::swept::by_motions_or_swept, frames},
         subject::{Subject, View},
     },
     given::{self, Accelerations},
@@ -34,15 +34,18 @@ pub(in crate::functions) fn imu(
         ..subject.clone()
     };
     let jacobian = frames::jacobian(graph, tree, Way::Recursive(plan), &local);
-    let (values, by_q, by_u) = if tree.has_followers() {
-        let values = frames::imu(graph, tree, Way::Recursive(plan), subject);
-        acceleration::by_sweeps(graph, tree, values)
-    } else {
-        let upward = negated(given::gravity(graph, tree));
-        let felt = frame::along_frame(graph, tree, plan, subject.frame(), upward);
-        let columns = of_rows(&jacobian, tree.n_speeds);
-        by_motions(graph, tree, &local, &columns, felt)
-    };
+    let (values, [by_q, by_u]) = by_motions_or_swept(
+        graph,
+        tree,
+        [Argument::Q, Argument::U],
+        |graph| frames::imu(graph, tree, Way::Recursive(plan), subject),
+        |graph| {
+            let upward = negated(given::gravity(graph, tree));
+            let felt = frame::along_frame(graph, tree, plan, subject.frame(), upward);
+            let columns = of_rows(&jacobian, tree.n_speeds);
+            by_motions(graph, tree, &local, &columns, felt)
+        },
+    );
     let mut by_u_dot = by_rows(&jacobian, tree.n_speeds);
     by_u_dot[3..].fill(vec![graph.zero(); tree.n_speeds]);
     ByArguments {
@@ -63,7 +66,7 @@ fn by_motions(
     local: &Subject,
     columns: &[Twist],
     felt: Vector,
-) -> (Vec<Expr>, SpeedMatrix, SpeedMatrix) {
+) -> (Vec<Expr>, [SpeedMatrix; 2]) {
     let given = Accelerations::Given;
     let of_force = acceleration::by_motions(graph, tree, local, columns, (given, felt));
     let (angular, angular_by_q) = velocity::by_motions(graph, tree, local, columns);
@@ -72,9 +75,9 @@ fn by_motions(
         entries.collect()
     });
     let angular_by_u: SpeedMatrix = angular_by_u.collect();
-    let (mut values, mut by_q, mut by_u) = of_force;
+    let (mut values, [mut by_q, mut by_u]) = of_force;
     values.splice(3.., angular[3..].iter().copied());
     by_q.splice(3.., angular_by_q[3..].iter().cloned());
     by_u.splice(3.., angular_by_u);
-    (values, by_q, by_u)
+    (values, [by_q, by_u])
 }

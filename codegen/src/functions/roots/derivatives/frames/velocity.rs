@@ -5,13 +5,12 @@ use super::{
     moving::{Moving, Twist, put, seen_from_frame},
 };
 use crate::{
-    differentiate::Sweep,
     expr::{Expr, ExprGraph},
     functions::{
         argument::Argument,
         formulation::Way,
         function::ByArguments,
-        roots::{derivatives::swept::swept, frames},
+        roots::{derivatives::swept::by_motions_or_swept, frames},
         subject::{Subject, View},
     },
     given::Accelerations,
@@ -29,13 +28,17 @@ pub(in crate::functions) fn velocity(
 ) -> ByArguments {
     let way = Way::Recursive(plan);
     let by_u = frames::jacobian(graph, tree, way, subject);
-    let (values, by_q) = if tree.has_followers() {
-        let velocity = frames::velocity(graph, tree, way, subject);
-        let by_q = swept(graph, tree, Argument::Q, Sweep::Forward, &velocity);
-        (velocity, by_q)
-    } else {
-        by_motions(graph, tree, subject, &of_rows(&by_u, tree.n_speeds))
-    };
+    let (values, [by_q]) = by_motions_or_swept(
+        graph,
+        tree,
+        [Argument::Q],
+        |graph| frames::velocity(graph, tree, way, subject),
+        |graph| {
+            let columns = of_rows(&by_u, tree.n_speeds);
+            let (values, by_q) = by_motions(graph, tree, subject, &columns);
+            (values, [by_q])
+        },
+    );
     let by_u = by_rows(&by_u, tree.n_speeds);
     ByArguments {
         by: vec![(Argument::Q, by_q), (Argument::U, by_u)],

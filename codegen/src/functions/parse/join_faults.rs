@@ -4,7 +4,7 @@ use super::request_error::RequestError;
 use crate::functions::{derivatives::derivative::DerivativeKind, part::AskedPart};
 
 /// The first fault of these parts. `alike` makes one text of those of what may be given the same.
-pub(super) fn fault(
+pub(super) fn first(
     text: &str,
     parts: &[AskedPart<'_>],
     alike: fn(&str) -> String,
