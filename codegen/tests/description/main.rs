@@ -19,6 +19,7 @@ mod mjcf_equalities;
 mod mjcf_files;
 mod mjcf_geometry;
 mod mjcf_reference;
+mod mjcf_springs;
 mod mjcf_support;
 mod mobility;
 mod principal;

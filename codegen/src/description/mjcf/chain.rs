@@ -180,8 +180,9 @@ impl Bodies {
                 joint.settle(inertia);
                 continue;
             }
-            let message = "the inertia of this joint, from which `springdamper` makes a spring, cannot be had";
-            let fault = Diagnostic::error(message).at(place, "no inertia");
+            let message = "this joint has no inertia of its own at the start, from which `springdamper` makes a spring";
+            let fault = Diagnostic::error(message)
+                .at(place, "it moves no mass, or what other joints move alike");
             reader
                 .faults
                 .push(fault.help("give `stiffness` and `damping` as numbers"));

@@ -7,6 +7,10 @@ use crate::description::mjcf::placement::Placement;
 use crate::geometry::{Vector, cross, dot, of_unit_mass, scaled, sum, symmetric};
 use crate::limits::SPRING_UPDATES;
 
+/// What of a pivot is left, of the entry that it was, where the speed moves nothing that the speeds beyond it do not move alike: less is
+/// rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// A body in the reference pose, `qpos0` of MuJoCo, behind its lower body in the list.
 pub(in crate::description::mjcf) struct PosedBody<'b> {
     /// Its lower body's number, from 1, or 0 for the world.
@@ -90,7 +94,8 @@ pub(in crate::description::mjcf) fn inertias(bodies: &[PosedBody<'_>]) -> Option
     Some(inertias)
 }
 
-/// `L` below the diagonal, along each row's speeds below, and `D`: the mass matrix is `Lᵀ D L`.
+/// `L` below the diagonal, along each row's speeds below, and `D`: the mass matrix is `Lᵀ D L`. A pivot that vanishes is zero, and so is
+/// its row of `L`.
 struct Factors {
     lower: Vec<Vec<f64>>,
     diagonal: Vec<f64>,
@@ -107,9 +112,15 @@ fn factors(rows: &[Row], composites: &[Inertia]) -> Factors {
         lower.push(below.collect::<Vec<f64>>());
         diagonal.push(entry(&row.axis) + row.armature);
     }
+    let whole = diagonal.clone();
     for k in (0..rows.len()).rev() {
         let below = &rows[k].below;
         let entries = std::mem::take(&mut lower[k]);
+        if diagonal[k] <= ROUNDING * whole[k] {
+            diagonal[k] = 0.0;
+            lower[k] = vec![0.0; entries.len()];
+            continue;
+        }
         let scaled: Vec<f64> = entries.iter().map(|entry| entry / diagonal[k]).collect();
         for (place, row) in below.iter().enumerate() {
             diagonal[*row] -= scaled[place] * entries[place];
@@ -133,8 +144,10 @@ fn inverse_entry(rows: &[Row], factors: &Factors, row: usize) -> f64 {
     y[0] = 1.0;
     let mut entry = 0.0;
     for (place, at) in chain.iter().enumerate() {
-        entry += y[place] * y[place] / factors.diagonal[*at];
         let own = y[place];
+        if own != 0.0 {
+            entry += own * own / factors.diagonal[*at];
+        }
         for (later, factor) in y[place + 1..].iter_mut().zip(&factors.lower[*at]) {
             *later -= factor * own;
         }
