@@ -1,4 +1,4 @@
-//! Generates the robots from their URDFs, the arms with a payload in their hands that is set at run time.
+//! Generates the robots from their URDFs, the arms with a payload in their hands that is set at run time, and a linkage.
 
 use std::{env, error::Error, fs, path::Path};
 
@@ -62,6 +62,18 @@ const SOLO12: [&str; 20] = [
     "linear_generalized_force(HR_FOOT)",
 ];
 
+const FOUR_BAR: [&str; 6] = [
+    "inverse_dynamics",
+    "forward_dynamics",
+    "mass_matrix_inverse",
+    // The two ends of the loop.
+    "ends = position(coupler_end)+linear_jacobian(coupler_end)+linear_jacobian_dot_u(coupler_end)\
+     +position(rocker_end)+linear_jacobian(rocker_end)+linear_jacobian_dot_u(rocker_end)",
+    // One seen from the other, for inverse kinematics.
+    "pose(coupler_end, rocker_end)",
+    "jacobian(coupler_end, rocker_end)",
+];
+
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
     with_payload("ur5", "tool0", Payload::Point, &UR5)?;
@@ -69,6 +81,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     Build::new("../../tests/robots/solo12/solo12.urdf")
         .base(Base::Free)
         .functions(SOLO12)
+        .run()?;
+    Build::new("models/four_bar.toml")
+        .functions(FOUR_BAR)
         .run()?;
     Ok(())
 }

@@ -13,6 +13,7 @@ pub mod computed_torque;
 pub mod gravity_compensation;
 pub mod identification;
 pub mod impedance;
+pub mod linkage;
 pub mod reorientation;
 pub mod swing_up;
 
@@ -44,6 +45,8 @@ robots! {
     panda
     /// The Solo 12, with a free base.
     solo12
+    /// A four-bar linkage, cut open.
+    four_bar
 }
 
 /// The control period, and the step with which plants are integrated, s.
