@@ -127,7 +127,7 @@ pub(crate) fn run(
     let mut warnings = checked.warnings;
     let asked = function.as_ref().into_iter();
     warnings.extend(compile::nothing_prescribed(tree, asked));
-    voice.warn_without_notes(&warnings);
+    voice.warn_of_numbers(&warnings);
     let function = function?;
     let Some(state) = state.or_else(|| state::of_no_inputs(tree, &function)) else {
         let needs = format!(
