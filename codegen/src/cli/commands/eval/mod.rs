@@ -154,7 +154,7 @@ pub(crate) fn run(
             )
         })
     });
-    singular::check(&plans, tree, &derived, &inputs, &numbers, voice);
+    singular::check(&plans, &function, &derived, &inputs, &numbers, voice);
     let n_infinite = numbers.iter().filter(|number| !number.is_finite()).count();
     if n_infinite > 0 {
         voice.say(format_args!(
