@@ -131,10 +131,10 @@ fn key_that_stands_twice_is_shown_with_its_line() {
     assert_eq!(ran.code, 2);
     insta::assert_snapshot!(ran.err, @r#"
     error: the key `q` stands twice
-     --> state.json:3:4
+     --> state.json:3:2
       |
     3 |  "q": [1, 0, 0]}
-      |    ^ here
+      |  ^^^ here
     "#);
 }
 
