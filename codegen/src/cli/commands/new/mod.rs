@@ -24,7 +24,7 @@ use kane_codegen::{
 use self::{model::Model, package::Dependency};
 use crate::cli::{
     Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::parse::one_of,
-    paths, rounded_angles,
+    paths, rounded_angles, runtime,
 };
 
 /// Names that a package, its program or a module of it cannot have, though they are names in Rust.
@@ -195,14 +195,6 @@ fn workspace_around(package: &Path) -> Result<Option<PathBuf>, Failures> {
     }))
 }
 
-/// The name of the package in a folder, as far as its manifest can be read.
-fn package_of(folder: &Path) -> Option<String> {
-    let text = fs::read_to_string(folder.join("Cargo.toml")).ok()?;
-    let table = ::toml::de::DeTable::parse(&text).ok()?;
-    let name = table.get_ref().get("package")?.get_ref().get("name")?;
-    name.get_ref().as_str().map(str::to_owned)
-}
-
 /// The package's name, which is the module's too.
 fn name(folder: &Path, companions: &BTreeSet<CompanionKind>) -> Result<String, Failures> {
     let name = folder.file_name().ok_or_else(|| {
@@ -243,21 +235,7 @@ fn dependency(package: &Path, folder: Option<&Path>) -> Result<Dependency, Failu
     let Some(folder) = folder else {
         return Ok(Dependency::Registry);
     };
-    let absolute = fs::canonicalize(folder).ok();
-    let absolute = absolute.filter(|folder| folder.join("Cargo.toml").is_file());
-    let absolute = absolute.ok_or_else(|| {
-        Failures::message(format!(
-            "`{}` holds no package; expected the folder of the crate `kane`",
-            folder.display()
-        ))
-    })?;
-    if let Some(found) = package_of(&absolute).filter(|found| found != "kane") {
-        return Err(Failures::message(format!(
-            "`{}` holds the package `{}`; expected the folder of the crate `kane`",
-            folder.display(),
-            found.escaped()
-        )));
-    }
+    let absolute = runtime::folder(folder)?;
     // As it was given: relative, so that both folders can be moved together, or absolute.
     let relative =
         paths::relative(&paths::of_new(package)?, &absolute).filter(|_| folder.is_relative());
