@@ -166,7 +166,7 @@ pub(crate) fn run(
     files.extend(program.map(|(path, text)| (folder.join(path), text.as_str())));
     let place = folder.join(".github/workflows/kane.yml");
     files.extend(workflow.as_deref().map(|text| (place, text)));
-    output::write(&files, Overwrite::Nothing)?;
+    output::write(&files, Overwrite::Nothing).inspect_err(|_| remove(folder, &files))?;
     if matches!(dependency, Dependency::Registry) {
         voice.say("note: the package needs the crate `kane` of crates.io; where it is not there, `--kane FOLDER` takes that of a checkout");
     }
@@ -179,6 +179,22 @@ pub(crate) fn run(
     let folder = folder.display();
     voice.say(format_args!("wrote {folder}/; next: cd {folder} && {next}"));
     Ok(Outcome::Done)
+}
+
+/// Removes what was written of a package that cannot be written whole: its files, and folders that are empty then.
+fn remove(package: &Path, files: &[(PathBuf, &str)]) {
+    let mut folders = BTreeSet::new();
+    for (file, text) in files {
+        if fs::read(file).is_ok_and(|there| there == text.as_bytes()) {
+            drop(fs::remove_file(file));
+        }
+        let inside = file.ancestors().skip(1);
+        folders.extend(inside.take_while(|folder| folder.starts_with(package)));
+    }
+    // Inner ones first.
+    for folder in folders.into_iter().rev() {
+        drop(fs::remove_dir(folder));
+    }
 }
 
 /// The manifest of the workspace in which cargo would look for the package.
