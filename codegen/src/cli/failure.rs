@@ -14,6 +14,11 @@ impl Failures {
         Self(vec![format!("error: {text}")])
     }
 
+    /// What explains other reasons.
+    pub(crate) fn note(text: impl fmt::Display) -> Self {
+        Self(vec![format!("note: {text}")])
+    }
+
     /// Adds reasons; one that is known already is not said twice.
     pub(crate) fn add(&mut self, more: impl Into<Self>) {
         for reason in more.into().0 {

@@ -63,7 +63,14 @@ impl Listed {
         let (config, faults) = config::read(&source);
         let listed = Self::new(path, source, config)?;
         match faults {
-            Err(faults) if listed.may_list(model)? => Err(faults.into()),
+            Err(faults) if listed.may_list(model)? => {
+                let mut failures = Failures::from(faults);
+                let (config, model) = (path.display(), model.display());
+                failures.add(Failures::note(format_args!(
+                    "`{config}` was read because it may list `{model}`, with options for it"
+                )));
+                Err(failures)
+            }
             _ => Ok(listed),
         }
     }

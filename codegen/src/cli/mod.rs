@@ -15,6 +15,7 @@ mod listed;
 mod outcome;
 mod paths;
 mod rounded_angles;
+mod runtime;
 mod stray;
 mod target;
 

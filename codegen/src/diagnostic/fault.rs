@@ -28,6 +28,8 @@ pub struct Diagnostic {
     pub kind: Option<Box<Kind>>,
     /// What it is about, where that stands beside the source.
     pub entry: Option<Box<Entry>>,
+    /// True for a note that numbers are computed with others than the input has: results are told with it.
+    pub changes_numbers: bool,
 }
 
 /// What the user gave beside a source: a name in a list.
@@ -58,6 +60,7 @@ impl Diagnostic {
             help: None,
             kind: None,
             entry: None,
+            changes_numbers: false,
         }
     }
 
@@ -104,6 +107,15 @@ impl Diagnostic {
         let name = name.into();
         self.entry = Some(Box::new(Entry { list, name }));
         self
+    }
+
+    /// The same as news wherever numbers are shown.
+    #[must_use]
+    pub fn that_changes_numbers(self) -> Self {
+        Self {
+            changes_numbers: true,
+            ..self
+        }
     }
 
     /// The same with advice.

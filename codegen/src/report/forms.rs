@@ -155,8 +155,12 @@ fn reasons(old: &Form, new: &Form) -> Vec<String> {
         reasons.extend(told.map(|(what, list)| format!("{what}: {}", list.join(", "))));
     }
     let declared = match (old.are_together, new.are_together) {
-        (false, true) => Some("values are declared in groups, as in longer functions"),
-        (true, false) => Some("values are declared one by one, as in shorter functions"),
+        (false, true) => {
+            Some("values are declared in groups, because rustc's stack limits single declarations")
+        }
+        (true, false) => {
+            Some("values are declared one by one, because rustc's stack allows it again")
+        }
         _ => None,
     };
     reasons.extend(declared.map(str::to_owned));

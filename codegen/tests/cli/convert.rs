@@ -97,3 +97,17 @@ fn model_that_says_it_itself_is_not_told_its_base() {
         ran.err
     );
 }
+
+#[test]
+fn name_of_the_list_of_models_is_refused() {
+    let project = Project::arm();
+    let before = project.files();
+    for path in ["kane.toml", "new/kane.toml"] {
+        let ran = project.kane(&["convert", "models/arm.toml", "--force", "--output", path]);
+        let said = format!(
+            "error: `{path}` is the name of a list of models; expected another name for a model\n"
+        );
+        assert_eq!((ran.code, ran.err), (2, said));
+    }
+    assert_eq!(project.files(), before);
+}

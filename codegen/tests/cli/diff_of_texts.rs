@@ -334,7 +334,7 @@ fn what_rewrites_a_long_function_is_told_where_alike_branches_differ() {
     let ran = told(&old.replacen(mass, heavier, 1), &[]);
     let (_, reasons) = ran.split_once("long functions").unwrap_or_default();
     let (reasons, _) = reasons.split_once("\ngenerated text").unwrap_or_default();
-    insta::assert_snapshot!(reasons.lines().last().unwrap().trim(), @"changed  d_forward_dynamics_d_q_u_tau  inputs in which branches or columns differ: 21 -> 23 in lockstep_1, 112 -> 115 in lockstep_3; values are declared in groups, as in longer functions");
+    insta::assert_snapshot!(reasons.lines().last().unwrap().trim(), @"changed  d_forward_dynamics_d_q_u_tau  inputs in which branches or columns differ: 21 -> 23 in lockstep_1, 112 -> 115 in lockstep_3; values are declared in groups, because rustc's stack limits single declarations");
     // Those of all legs: these stay alike.
     let ran = told(&old.replace(mass, heavier), &["--format", "json"]);
     let said: Value = serde_json::from_str(&ran).unwrap();
@@ -364,9 +364,9 @@ fn helpers_and_stages_that_came_or_went_are_told() {
         &["bias_lockstep_1", "bias_lockstep_2", "bias_stage_1"],
         "let (a, b);",
     );
-    let said = "bias: helpers: 1 -> 2; stages: 0 -> 1; values are declared in groups, as in longer functions";
+    let said = "bias: helpers: 1 -> 2; stages: 0 -> 1; values are declared in groups, because rustc's stack limits single declarations";
     assert_eq!(reasons(&plain, &other), [said]);
-    let said = "bias: helpers: 2 -> 1; stages: 1 -> 0; values are declared one by one, as in shorter functions";
+    let said = "bias: helpers: 2 -> 1; stages: 1 -> 0; values are declared one by one, because rustc's stack allows it again";
     assert_eq!(reasons(&other, &plain), [said]);
     let fewer = plain.replace("[[R; 4]; 2]", "[[R; 3]; 2]");
     let said = "bias: branches or columns side by side: 4 -> 3 in lockstep_1";

@@ -131,10 +131,10 @@ fn key_that_stands_twice_is_shown_with_its_line() {
     assert_eq!(ran.code, 2);
     insta::assert_snapshot!(ran.err, @r#"
     error: the key `q` stands twice
-     --> state.json:3:4
+     --> state.json:3:2
       |
     3 |  "q": [1, 0, 0]}
-      |    ^ here
+      |  ^^^ here
     "#);
 }
 
@@ -447,4 +447,52 @@ inertia = { xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0 }
     );
     assert_eq!(told("forward_dynamics", 0.1), "");
     assert_eq!(told("mass_matrix", 0.0), "");
+}
+
+#[test]
+fn mass_matrices_that_are_nearly_singular_are_told_by_the_speed() {
+    let project = Project::empty();
+    let body = |name: &str, axis: &str, mass: &str, inertia: &str| {
+        format!(
+            "[[body]]\nname = \"{name}\"\nattachment = [0, 0, 0]\njoint = \"revolute\"\naxis = {axis}\nmass = {mass}\n\
+             mass_center = [0, 0, 0]\ninertia = {{ xx = {inertia}, yy = {inertia}, zz = {inertia}, xy = 0, xz = 0, yz = 0 }}\n"
+        )
+    };
+    // The outer axis of three gimbals turns towards the inner one.
+    let gimbals = [
+        body("outer", "[0, 0, 1]", "0", "0"),
+        body("middle", "[1, 0, 0]", "0", "0"),
+        body("inner", "[0, 0, 1]", "2", "0.1"),
+    ];
+    let gimbals = format!(
+        "name = \"gimbals\"\nlower_bodies = [0, 1, 2]\n{}",
+        gimbals.concat()
+    );
+    project.write("gimbals.toml", &gimbals);
+    let told = |function: &str, angle: f64| {
+        let some = [0.1, 0.2, 0.3];
+        let state = json!({ "q": [0.3, angle, 0.4], "u": some, "u_dot": some, "tau": some });
+        let mut arguments = vec!["eval", "gimbals.toml", "--state", "-", "--function"];
+        arguments.extend(function.split(' '));
+        let ran = project.kane_given(&arguments, &state.to_string());
+        assert_eq!(ran.code, 0, "{ran:?}");
+        ran.err
+    };
+    let said = "warning: the mass matrix is nearly singular: its pivot at `outer_theta3_dot` is ";
+    for function in [
+        "forward_dynamics",
+        "mass_matrix_inverse",
+        "forward_dynamics(sin_cos)",
+        "d(forward_dynamics)/d(q)",
+    ] {
+        let told = told(function, 1e-7);
+        assert!(told.starts_with(said), "{function}: {told}");
+    }
+    // Ten digits are lost here, and fewer there.
+    assert_eq!(told("forward_dynamics", 1e-5), "");
+    assert_eq!(told("forward_dynamics", 1.0), "");
+    // What is not solved for is right.
+    for function in ["mass_matrix", "bias", "hybrid_dynamics --prescribed outer"] {
+        assert_eq!(told(function, 1e-7), "", "{function}");
+    }
 }

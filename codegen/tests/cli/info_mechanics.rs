@@ -56,3 +56,29 @@ fn what_acts_in_joints_is_named_by_motions_or_components_of_angular_velocity() {
     let arm = serde_json::json!({ "w1": 0.02, "w2": 0.02, "w3": 0.02 });
     assert_eq!(said["bodies"][1]["damping"], arm);
 }
+
+#[test]
+fn numbers_that_were_made_exact_are_told_wherever_numbers_are_shown() {
+    let project = Project::empty();
+    let turned = |error: &str| {
+        model("arm", "2.0").replace(
+            "joint = [\"theta2\"]",
+            &format!("joint = \"revolute\"\naxis = [0.0, {error}, 1.0]"),
+        )
+    };
+    project.write("exact.toml", &turned("0.0"));
+    project.write("near.toml", &turned("1e-11"));
+    let told = |model: &str, more: &[&str]| {
+        let info = ["info", model].to_vec();
+        let eval = ["eval", model, "-f", "inertial_parameters"].to_vec();
+        [info, eval].map(|command| {
+            let ran = project.kane(&[&command[..], more].concat());
+            assert_eq!(ran.code, 0, "{}", ran.err);
+            ran.err
+        })
+    };
+    let note = "note: near.toml: entries of constant rotations and axes nearer than 1e-9 to 0, 1 or -1 were made exact, which changed none by more than 1.0e-11: `axis` of `fore`\n";
+    assert_eq!(told("near.toml", &[]), [note, note]);
+    assert_eq!(told("near.toml", &["--quiet"]), ["", ""]);
+    assert_eq!(told("exact.toml", &[]), ["", ""]);
+}

@@ -339,3 +339,14 @@ fn prescribed_joints_get_the_function_that_heeds_them() {
     let ran = project.kane_in("bird", &["check"]);
     assert_eq!(ran.code, 0, "{}", ran.err);
 }
+
+#[test]
+fn package_that_cannot_be_written_whole_leaves_nothing() {
+    let project = Project::empty();
+    // The name of the file of tests, which is longer than the module's, is too long.
+    let name = "a".repeat(250);
+    let ran = project.kane(&["new", &name]);
+    assert_eq!(ran.code, 2, "{}", ran.err);
+    assert!(ran.err.contains("_tests.rs`: "), "{}", ran.err);
+    assert!(!project.path(&name).exists(), "{:?}", project.files());
+}

@@ -53,6 +53,16 @@ fn faults_that_have_nothing_to_do_with_a_model_are_not_told() {
 }
 
 #[test]
+fn file_that_cannot_be_read_is_said_to_have_options() {
+    for command in commands("models/leg.toml") {
+        let ran = project("[[system\n").kane(&command);
+        assert_eq!(ran.code, 2, "{}", ran.err);
+        let said = "note: `kane.toml` was read because it may list `models/leg.toml`, with options for it\n";
+        assert!(ran.err.ends_with(said), "{command:?}: {}", ran.err);
+    }
+}
+
+#[test]
 fn faults_are_told_if_the_file_lists_the_model() {
     let faulty = project(&(system("models/leg.toml", "generated/leg.rs") + "fna = true\n"));
     for model in ["models/arm.toml", "models/leg.toml"] {

@@ -248,3 +248,20 @@ fn machine_code_is_verified_without_a_word_of_it() {
     let said = verify(&project, &[MODULE]);
     assert_eq!((ran.code, &ran.out), (0, &said.out));
 }
+
+#[test]
+fn folder_without_the_runtime_is_refused_before_anything_is_compiled() {
+    let project = Project::generated();
+    project.write("empty/readme", "");
+    project.write("other/Cargo.toml", "[package]\nname = \"other\"\n");
+    project.write("other/src/lib.rs", "");
+    for (folder, said) in [
+        ("absent", "`absent` holds no package"),
+        ("empty", "`empty` holds no package"),
+        ("other", "`other` holds the package `other`"),
+    ] {
+        let ran = project.kane(&["verify", MODULE, "--kane", folder]);
+        let said = format!("error: {said}; expected the folder of the crate `kane`\n");
+        assert_eq!((ran.code, ran.err), (2, said), "{folder}");
+    }
+}

@@ -395,3 +395,24 @@ fn joint_without_a_name_is_told_once_for_all_copies() {
     let model = parse(text, &[]);
     assert_eq!(errors(&model), ["`joint1` of a joint equality is empty"]);
 }
+
+#[test]
+fn equality_that_holds_the_only_joint_is_pointed_at_where_nothing_moves() {
+    let text = "<mujoco><worldbody>
+  <body><joint name=\"a\"/><geom size=\"1\"/></body>
+</worldbody><equality><joint joint1=\"a\" polycoef=\"0.3 0 0 0 0\"/></equality></mujoco>";
+    let found = tree::build(&parse(text, &[])).unwrap_err();
+    let [fault] = found.list() else {
+        panic!("{found}")
+    };
+    let labels = fault.labels.iter().map(|(span, label)| {
+        let text = &text[span.start..span.end];
+        (text.split(' ').next().unwrap(), label.as_str())
+    });
+    let labels: Vec<(&str, &str)> = labels.collect();
+    assert_eq!(
+        labels.last().unwrap(),
+        &("<joint", "an equality holds its joint"),
+        "{found}"
+    );
+}

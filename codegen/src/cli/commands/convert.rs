@@ -11,7 +11,7 @@ use kane_codegen::{
 };
 
 use crate::cli::{
-    Failures, Outcome, Voice, arguments::changes::ReadingArguments, job, target::Target,
+    Failures, Outcome, Voice, arguments::changes::ReadingArguments, job, paths, target::Target,
 };
 
 /// Convert a model of any format to kane's TOML format
@@ -66,6 +66,14 @@ pub(crate) fn run(
     {
         return Err(Failures::message(format!(
             "`{}` is to be a model in our own format; expected a file that ends in `.toml`, or `-`",
+            path.display()
+        )));
+    }
+    if let Target::File(path) = &target
+        && path.file_name() == Some(OsStr::new(paths::CONFIG))
+    {
+        return Err(Failures::message(format!(
+            "`{}` is the name of a list of models; expected another name for a model",
             path.display()
         )));
     }

@@ -17,7 +17,7 @@ use kane_codegen::{
 };
 use serde_json::{Value, json};
 
-use crate::cli::{Failures, Outcome, Voice, arguments::parse::one_of, paths, text::json};
+use crate::cli::{Failures, Outcome, Voice, arguments::parse::one_of, paths, runtime, text::json};
 
 /// Check the machine code of generated functions against the guarantees
 ///
@@ -85,6 +85,7 @@ pub(crate) fn run(
         target_cpu: arguments.target_cpu.clone(),
     };
     let root = if let Some(folder) = &arguments.kane {
+        runtime::folder(folder)?;
         folder.join("src/lib.rs")
     } else {
         // Where no package is found, a path that is missing or is no module is the likely reason.

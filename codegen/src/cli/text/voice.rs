@@ -6,7 +6,7 @@ use std::{
 };
 
 use clap::Args;
-use kane_codegen::diagnostic::{Diagnostics, Severity, printable};
+use kane_codegen::diagnostic::{Diagnostic, Diagnostics, Severity, printable};
 
 /// How much is told.
 #[derive(Args, Clone, Copy, Debug)]
@@ -58,10 +58,17 @@ impl Voice {
 
     /// The same without notes, where the result says it, or is asked for again and again.
     pub(crate) fn warn_without_notes(self, warnings: &Diagnostics) {
-        self.warn_of(warnings, |severity| severity != Severity::Note);
+        self.warn_of(warnings, |one| one.severity != Severity::Note);
     }
 
-    fn warn_of(self, warnings: &Diagnostics, is_told: impl Fn(Severity) -> bool) {
+    /// The same with those notes alone that say which numbers are computed with, where numbers are shown.
+    pub(crate) fn warn_of_numbers(self, warnings: &Diagnostics) {
+        self.warn_of(warnings, |one| {
+            one.severity != Severity::Note || one.changes_numbers
+        });
+    }
+
+    fn warn_of(self, warnings: &Diagnostics, is_told: impl Fn(&Diagnostic) -> bool) {
         if warnings.is_empty() {
             return;
         }
@@ -69,9 +76,10 @@ impl Voice {
             self.say(format_args!("{warnings}\n"));
             return;
         }
-        let brief = warnings.brief();
+        let told = warnings.list().iter().filter(|one| is_told(one));
+        let told = Diagnostics::new(warnings.source().clone(), told.cloned().collect());
+        let brief = told.brief();
         let lines = brief.lines.iter();
-        let lines = lines.filter(|(severity, _)| is_told(*severity));
         let lines: Vec<&str> = lines.map(|(_, line)| line.as_str()).collect();
         if lines.is_empty() {
             return;

@@ -30,4 +30,5 @@ mod placement;
 mod sites;
 mod unknown;
 
+pub(crate) use joints::ties::holding;
 pub use parse::parse;

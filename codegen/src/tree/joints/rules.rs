@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::description::{
-    Chart, CoordinateName, Description, JointKind, Speeds, WrittenBody, urdf,
+    Chart, CoordinateName, Description, JointKind, Speeds, WrittenBody, mjcf, urdf,
 };
 use crate::diagnostic::{Diagnostic, Escaped, Span};
 use crate::tree::changes::Changes;
@@ -56,6 +56,8 @@ pub(crate) fn check_motions(
         let fault = joints.fold(fault, |fault, joint| {
             fault.at(joint.span, "no free coordinate")
         });
+        let equality = mjcf::holding(description);
+        let fault = fault.at_if(equality, "an equality holds its joint");
         let is_held = !(changes.lock.is_empty() && changes.remove.is_empty());
         // A TOML says itself how its first body hangs, and so does an MJCF.
         findings.push(if is_held {

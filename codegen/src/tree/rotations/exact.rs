@@ -122,7 +122,7 @@ impl Snapped {
                 "constant rotations and axes were made exact, which changed no entry by more than {:.1e}",
                 self.most
             );
-            note.all_of(plural, changed)
+            note.all_of(plural, changed).that_changes_numbers()
         })
     }
 }

@@ -127,7 +127,7 @@ pub(crate) fn run(
     let mut warnings = checked.warnings;
     let asked = function.as_ref().into_iter();
     warnings.extend(compile::nothing_prescribed(tree, asked));
-    voice.warn_without_notes(&warnings);
+    voice.warn_of_numbers(&warnings);
     let function = function?;
     let Some(state) = state.or_else(|| state::of_no_inputs(tree, &function)) else {
         let needs = format!(
@@ -154,7 +154,7 @@ pub(crate) fn run(
             )
         })
     });
-    singular::check(&plans, tree, &derived, &inputs, &numbers, voice);
+    singular::check(&plans, &function, &derived, &inputs, &numbers, voice);
     let n_infinite = numbers.iter().filter(|number| !number.is_finite()).count();
     if n_infinite > 0 {
         voice.say(format_args!(

@@ -70,16 +70,20 @@ impl Place {
     /// The same of the key before the value, quotes included.
     pub(super) fn key_span(&self, text: &str) -> Option<Span> {
         let before = text.get(..self.span(text)?.start)?;
-        let end = before.trim_end().strip_suffix(':')?.trim_end().len();
-        let inside = before.get(..end)?.strip_suffix('"')?;
-        let is_escaped = |at: usize| {
-            let before = &inside[..at];
-            (at - before.trim_end_matches('\\').len()) % 2 == 1
-        };
-        let mut quotes = inside.rmatch_indices('"').map(|(at, _)| at);
-        let start = quotes.find(|at| !is_escaped(*at))?;
-        Some((start..end).into())
+        string_span(before.trim_end().strip_suffix(':')?.trim_end())
     }
+}
+
+/// The string at the end of a text that is JSON up to there, quotes included.
+pub(super) fn string_span(text: &str) -> Option<Span> {
+    let inside = text.strip_suffix('"')?;
+    let is_escaped = |at: usize| {
+        let before = &inside[..at];
+        (at - before.trim_end_matches('\\').len()) % 2 == 1
+    };
+    let mut quotes = inside.rmatch_indices('"').map(|(at, _)| at);
+    let start = quotes.find(|at| !is_escaped(*at))?;
+    Some((start..text.len()).into())
 }
 
 impl fmt::Display for Place {

@@ -1,5 +1,5 @@
-//! States at which a function divides by what vanishes: by the cosine of a joint's second angle, or nearly so, or by a pivot of the mass
-//! matrix that makes numbers infinite.
+//! States at which a function divides by what vanishes, or nearly so: by the cosine of a joint's second angle, or by a pivot of the mass
+//! matrix.
 
 use kane_codegen::{
     compile::{self, Plans},
@@ -22,18 +22,36 @@ const GROWS: f64 = 1e5;
 /// How far the angle is moved, rad.
 const AWAY: f64 = 0.5;
 
+/// A pivot of the mass matrix that is such a part of its entry on the diagonal has lost twelve of sixteen digits. Pivots of different
+/// speeds have different units.
+const CANCELLED: f64 = 1e-12;
+
 /// Says why numbers are not finite, or inaccurate.
 pub(super) fn check(
     plans: &Plans<'_>,
-    tree: &Tree,
+    function: &Request,
     derived: &Derived,
     inputs: &State,
     numbers: &[f64],
     voice: Voice,
 ) {
+    let tree = plans.tree;
+    if voice.is_quiet() || joints(tree, derived, inputs, voice) {
+        return;
+    }
+    // Prescribed speeds are not solved for.
+    let are_all_solved = !function.prescribes() || tree.prescribed.is_empty();
+    let are_finite = numbers.iter().all(|number| number.is_finite());
+    if function.solves() && (are_all_solved || !are_finite) {
+        pivot(plans, tree, inputs, voice);
+    }
+}
+
+/// Tells of joints at their singularities; true where there is one.
+fn joints(tree: &Tree, derived: &Derived, inputs: &State, voice: Voice) -> bool {
     let divisors = divisors(derived);
     if divisors.is_empty() {
-        return;
+        return false;
     }
     let values = |inputs: &State| {
         let graph = &derived.graph;
@@ -55,9 +73,7 @@ pub(super) fn check(
             is_told = true;
         }
     }
-    if !is_told && numbers.iter().any(|number| !number.is_finite()) {
-        pivot(plans, tree, inputs, voice);
-    }
+    is_told
 }
 
 /// What the function divides by that depends on the state.
@@ -116,20 +132,32 @@ fn moved(tree: &Tree, theta2: Coordinate, inputs: &State) -> State {
     moved
 }
 
-/// Tells of the first pivot of the mass matrix that is not positive.
+/// Tells of the first pivot of the mass matrix that is not positive, or nearly vanishes.
 fn pivot(plans: &Plans<'_>, tree: &Tree, inputs: &State, voice: Voice) {
-    let pivots = Function::find("forward_dynamics_pivots");
-    let pivots = pivots.expect("eval: pivots are in the catalogue");
-    let derived = compile::choose(plans, &Request::from(pivots), Formulation::Recursive).derived;
-    let pivots = derived
-        .graph
-        .evaluate(&derived.roots, |input| number(inputs, input));
+    let values = |name: &str| {
+        let function = Function::find(name).expect("eval: the mass matrix is in the catalogue");
+        let request = Request::from(function);
+        let derived = compile::choose(plans, &request, Formulation::Recursive).derived;
+        let graph = &derived.graph;
+        graph.evaluate(&derived.roots, |input| number(inputs, input))
+    };
+    let (pivots, matrix) = (values("forward_dynamics_pivots"), values("mass_matrix"));
+    let diagonal = matrix.iter().step_by(tree.n_speeds + 1);
+    let speeds = tree.speed_names().into_iter();
+    let mut of_speeds = speeds.zip(pivots.iter().zip(diagonal));
     // Others are NaN because of it.
-    let mut of_speeds = tree.speed_names().into_iter().zip(pivots);
-    if let Some((speed, pivot)) = of_speeds.find(|(_, pivot)| *pivot <= 0.0) {
-        let speed = speed.escaped();
+    let small = of_speeds.find(|(_, (pivot, entry))| **pivot <= CANCELLED * **entry);
+    let Some((speed, (pivot, entry))) = small else {
+        return;
+    };
+    let speed = speed.escaped();
+    if *pivot <= 0.0 {
         voice.say(format_args!(
             "warning: the mass matrix is not positive definite: its pivot at `{speed}` is {pivot:?}"
+        ));
+    } else {
+        voice.say(format_args!(
+            "warning: the mass matrix is nearly singular: its pivot at `{speed}` is {pivot:.1e}, its diagonal entry {entry:.1e}; results are inaccurate"
         ));
     }
 }

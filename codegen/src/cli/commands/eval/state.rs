@@ -16,7 +16,7 @@ use serde_json::{Map, Value, error::Category};
 
 use crate::cli::commands::eval::{
     by_name::{Places, elsewhere, held},
-    place::Place,
+    place::{self, Place},
     unique::Unique,
 };
 
@@ -435,7 +435,12 @@ fn not_json(source: &Source, error: &serde_json::Error) -> Diagnostic {
         Category::Data => reason.to_owned(),
         _ => format!("not valid JSON: {reason}"),
     };
-    Diagnostic::error(message).at((start..start + 1).into(), "here")
+    // The reader stops at the end of a key.
+    let key = (error.classify() == Category::Data)
+        .then(|| place::string_span(source.text().get(..=start)?))
+        .flatten();
+    let span = key.unwrap_or((start..start + 1).into());
+    Diagnostic::error(message).at(span, "here")
 }
 
 /// What a value is, in words.

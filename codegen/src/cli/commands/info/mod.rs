@@ -112,7 +112,7 @@ pub(crate) fn run(
     let (Some(asked), Some(model)) = (asked, model) else {
         unreachable!("info: what is absent left a failure")
     };
-    voice.warn_without_notes(&model.warnings);
+    voice.warn_of_numbers(&model.warnings);
     let tree = &model.tree;
     let is_large = tree.n_speeds.max(tree.n_parts()) > COUNTED;
     let pattern = if is_large || arguments.json {

@@ -24,7 +24,7 @@ use kane_codegen::{
 use self::{model::Model, package::Dependency};
 use crate::cli::{
     Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::parse::one_of,
-    paths, rounded_angles,
+    paths, rounded_angles, runtime,
 };
 
 /// Names that a package, its program or a module of it cannot have, though they are names in Rust.
@@ -166,7 +166,7 @@ pub(crate) fn run(
     files.extend(program.map(|(path, text)| (folder.join(path), text.as_str())));
     let place = folder.join(".github/workflows/kane.yml");
     files.extend(workflow.as_deref().map(|text| (place, text)));
-    output::write(&files, Overwrite::Nothing)?;
+    output::write(&files, Overwrite::Nothing).inspect_err(|_| remove(folder, &files))?;
     if matches!(dependency, Dependency::Registry) {
         voice.say("note: the package needs the crate `kane` of crates.io; where it is not there, `--kane FOLDER` takes that of a checkout");
     }
@@ -181,6 +181,22 @@ pub(crate) fn run(
     Ok(Outcome::Done)
 }
 
+/// Removes what was written of a package that cannot be written whole: its files, and folders that are empty then.
+fn remove(package: &Path, files: &[(PathBuf, &str)]) {
+    let mut folders = BTreeSet::new();
+    for (file, text) in files {
+        if fs::read(file).is_ok_and(|there| there == text.as_bytes()) {
+            drop(fs::remove_file(file));
+        }
+        let inside = file.ancestors().skip(1);
+        folders.extend(inside.take_while(|folder| folder.starts_with(package)));
+    }
+    // Inner ones first.
+    for folder in folders.into_iter().rev() {
+        drop(fs::remove_dir(folder));
+    }
+}
+
 /// The manifest of the workspace in which cargo would look for the package.
 fn workspace_around(package: &Path) -> Result<Option<PathBuf>, Failures> {
     let absolute = paths::of_new(package)?;
@@ -193,14 +209,6 @@ fn workspace_around(package: &Path) -> Result<Option<PathBuf>, Failures> {
         let table = ::toml::de::DeTable::parse(text.trim_start_matches('\u{feff}'));
         table.is_ok_and(|table| table.get_ref().contains_key("workspace"))
     }))
-}
-
-/// The name of the package in a folder, as far as its manifest can be read.
-fn package_of(folder: &Path) -> Option<String> {
-    let text = fs::read_to_string(folder.join("Cargo.toml")).ok()?;
-    let table = ::toml::de::DeTable::parse(&text).ok()?;
-    let name = table.get_ref().get("package")?.get_ref().get("name")?;
-    name.get_ref().as_str().map(str::to_owned)
 }
 
 /// The package's name, which is the module's too.
@@ -243,21 +251,7 @@ fn dependency(package: &Path, folder: Option<&Path>) -> Result<Dependency, Failu
     let Some(folder) = folder else {
         return Ok(Dependency::Registry);
     };
-    let absolute = fs::canonicalize(folder).ok();
-    let absolute = absolute.filter(|folder| folder.join("Cargo.toml").is_file());
-    let absolute = absolute.ok_or_else(|| {
-        Failures::message(format!(
-            "`{}` holds no package; expected the folder of the crate `kane`",
-            folder.display()
-        ))
-    })?;
-    if let Some(found) = package_of(&absolute).filter(|found| found != "kane") {
-        return Err(Failures::message(format!(
-            "`{}` holds the package `{}`; expected the folder of the crate `kane`",
-            folder.display(),
-            found.escaped()
-        )));
-    }
+    let absolute = runtime::folder(folder)?;
     // As it was given: relative, so that both folders can be moved together, or absolute.
     let relative =
         paths::relative(&paths::of_new(package)?, &absolute).filter(|_| folder.is_relative());

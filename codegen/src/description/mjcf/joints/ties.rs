@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::xml::Reader;
-use crate::description::{JointKind, Mimic, WrittenBody};
+use crate::description::{Description, JointKind, Mimic, WrittenBody};
 use crate::diagnostic::{Diagnostic, Span, Spanned, shown};
 
 /// An equality between joints.
@@ -19,6 +19,16 @@ pub(in crate::description::mjcf) struct Equation {
     /// The words for the equality.
     pub(in crate::description::mjcf) owner: String,
     pub(in crate::description::mjcf) span: Span,
+}
+
+/// What joints are that equalities hold, as it stands after a number.
+const HELD: &str = "joints that equalities hold";
+
+/// The first equality that holds a joint.
+pub(crate) fn holding(description: &Description) -> Option<Span> {
+    let is_held = |fault: &&Diagnostic| fault.kind.as_ref().is_some_and(|kind| kind.plural == HELD);
+    let (span, _) = description.faults.iter().find(is_held)?.labels.first()?;
+    Some(*span)
 }
 
 /// How joints are tied.
@@ -99,9 +109,7 @@ impl Ties {
                     equation.owner
                 );
                 let note = Diagnostic::note(message).at(equation.span, "held");
-                reader
-                    .faults
-                    .push(note.one_of("joints that equalities hold", &joint_name));
+                reader.faults.push(note.one_of(HELD, &joint_name));
                 continue;
             }
             let Some((name, Some(leader))) = leader else {
