@@ -35,6 +35,7 @@ fn assert_refused(project: &Project, arguments: &[&str], why: &str) {
 fn arm() -> Project {
     let project = Project::arm();
     project.write("state.json", r#"{"q": [0, 0, 0], "u": [0, 0, 0]}"#);
+    project.write("kane/Cargo.toml", "[package]\nname = \"kane\"\n");
     project.write("kane/src/lib.rs", "");
     project
 }

@@ -3,6 +3,8 @@
 use kane_codegen::diagnostic::{Diagnostic, Severity};
 use kane_test_support::models::{build, system};
 
+use crate::mjcf_support::{faults, parse};
+
 /// One body on another, both with hinges about one axis; what is added is of the second's joint.
 fn arm() -> String {
     let hinge = "\"revolute\"\naxis = [0, 1, 0]";
@@ -280,5 +282,37 @@ fn fast_wheels_and_propellers_are_accepted() {
         );
         is_accepted(&with_velocities("", [velocity; 4]));
         is_accepted(&with_velocities("lower = -2.0, ", [velocity; 4]));
+    }
+}
+
+#[test]
+fn shapes_in_millimetres_are_told_where_masses_follow_from_them() {
+    let told = |geom: &str| {
+        let text = format!(
+            "<mujoco><worldbody><geom type=\"box\" size=\"900 900 9\"/><body><joint axis=\"1 0 0\"/>{geom}</body></worldbody></mujoco>"
+        );
+        let description = parse(&text, &[]);
+        assert!(
+            !faults(&description).has_error(),
+            "{}",
+            faults(&description)
+        );
+        let warnings = description.faults.into_iter();
+        let warnings = warnings.filter(|one| one.severity == Severity::Warning);
+        warnings.map(|one| one.message).collect::<Vec<_>>()
+    };
+    let said = told("<geom name=\"link\" type=\"box\" size=\"50 60 70\"/>");
+    assert_eq!(
+        said,
+        [
+            "geom `link` has a volume of 2e6 m³, and by its density a mass of 2e9 kg; is it in millimetres?"
+        ]
+    );
+    // A ship, and shapes whose mass is given.
+    for geom in [
+        "<geom type=\"box\" size=\"180 29 20\"/>",
+        "<geom type=\"box\" size=\"50 60 70\" mass=\"1\"/>",
+    ] {
+        assert_eq!(told(geom), Vec::<String>::new());
     }
 }

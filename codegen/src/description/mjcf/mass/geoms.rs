@@ -1,5 +1,7 @@
 //! `geom`: the mass that a shape adds to its body.
 
+use std::ops::Range;
+
 use crate::description::mjcf::contents::Inside;
 use crate::description::mjcf::mass::fit::fitted;
 use crate::description::mjcf::mass::geom_type::{GeomType, TYPES};
@@ -21,6 +23,9 @@ const WATER: f64 = 1000.0;
 
 /// Volume from which on MuJoCo lets a geom have the mass that it is given, m³ (m² of a shell).
 const LEAST: f64 = 1e-14;
+
+/// What moves and has such a volume may be in millimetres, m³: the largest ships have less, and ten metres a side in millimetres are most.
+const HUGE: Range<f64> = 1e6..1e12;
 
 /// What counts for a body.
 #[derive(Clone, Copy, Debug)]
@@ -98,12 +103,19 @@ pub(in crate::description::mjcf) fn solid(
     }
     refuse_shell(reader, geom, kind);
     if is_of_mesh {
-        return of_mesh(reader, geom, model, around, kind, amount);
+        let solid = of_mesh(reader, geom, model, around, kind, amount)?;
+        if let (true, Amount::Density(density)) = (moves, amount) {
+            warn_of_huge(reader, geom, amount, solid.mass / density);
+        }
+        return Some(solid);
     }
     let (placement, half) = span_of(reader, geom, settings, kind)?;
     let shape = shape(reader, geom, kind, half)?;
     if is_too_small(reader, geom, amount, shape.volume()) {
         return None;
+    }
+    if moves {
+        warn_of_huge(reader, geom, amount, shape.volume());
     }
     Some(shape.solid(amount, &around.then(&placement)))
 }
@@ -159,6 +171,26 @@ fn is_too_small(reader: &mut Reader, geom: &Attributes<'_>, amount: Amount, volu
         reader.faults.push(warning.one_of(kind, &*geom.owner));
     }
     is_too_small
+}
+
+/// Warns where a mass follows from sizes that look like millimetres; where it is given, the inertia is looked at later.
+fn warn_of_huge(reader: &mut Reader, geom: &Attributes<'_>, amount: Amount, volume: f64) {
+    let Amount::Density(density) = amount else {
+        return;
+    };
+    if !HUGE.contains(&volume) {
+        return;
+    }
+    let mass = density * volume;
+    let message = format!(
+        "{} has a volume of {volume:.0e} m³, and by its density a mass of {mass:.0e} kg; is it in millimetres?",
+        geom.owner
+    );
+    let place = ["size", "mesh"].into_iter().find(|name| geom.has(name));
+    let place = place.map_or(geom.span, |name| geom.place(name));
+    let warning = Diagnostic::warning(message).at(place, "expected metres");
+    let kind = "geoms look as if they were in millimetres";
+    reader.faults.push(warning.one_of(kind, &*geom.owner));
 }
 
 fn moving_plane(geom: &Attributes<'_>) -> Diagnostic {
