@@ -1,7 +1,7 @@
 //! Words that users look for and that name no function and no frame.
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 31] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 34] = [
     (
         "`jacobian(FRAME)` is about the frame's origin, along inertial axes; none is about the inertial origin",
         &["spatialjacobian"],
@@ -18,6 +18,41 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 31] = [
             "constrainedforwarddynamics",
             "kkt",
             "forwarddynamicscontactsdirect",
+        ],
+    ),
+    (
+        "closed loops are cut open, and forces between two frames hold them together: docs/dictionary.md, \"Closed loops\"",
+        &[
+            "loop",
+            "loops",
+            "closedloop",
+            "closedloops",
+            "loopclosure",
+            "loopconstraint",
+            "fourbar",
+            "fourbarlinkage",
+            "constraintjacobian",
+            "lagrangemultipliers",
+            "baumgarte",
+        ],
+    ),
+    (
+        "it follows from momenta and the mass centre: docs/dictionary.md, \"Contact\"",
+        &[
+            "zmp",
+            "zeromomentpoint",
+            "capturepoint",
+            "dcm",
+            "divergentcomponent",
+        ],
+    ),
+    (
+        "derivatives of what sensors measure are `d(imu(FRAME))/d(q, u, u_dot)`, `jacobian(FRAME)` and the like: docs/functions.md, \"Derivatives\"",
+        &[
+            "measurement",
+            "measurementjacobian",
+            "observation",
+            "innovation",
         ],
     ),
     (
