@@ -74,6 +74,11 @@ pub fn body_fixed_123(angles: Vector) -> Rotation {
 pub fn of_quaternion(quaternion: [f64; 4]) -> Option<Rotation> {
     let [w, x, y, z] = quaternion;
     let square = w * w + x * x + y * y + z * z;
+    if square.is_infinite() && quaternion.iter().all(|part| part.is_finite()) {
+        // A power of two, which rounds none of what counts: no square overflows then.
+        let scale = libm::exp2(-600.0);
+        return of_quaternion(quaternion.map(|part| part * scale));
+    }
     (square > 1e-28 && square.is_finite())
         .then(|| of_unit_quaternion(quaternion).map(|row| row.map(|entry| entry / square + 0.0)))
 }

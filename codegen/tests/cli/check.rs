@@ -129,6 +129,27 @@ fn comments_are_told_from_numbers_and_layout() {
 }
 
 #[test]
+fn documentation_of_an_item_is_a_comment_and_code_beside_it_is_not() {
+    let project = Project::generated();
+    let text = project.read("generated/arm.rs");
+    let told = |text: &str| {
+        project.write("generated/arm.rs", text);
+        let told = project.kane(&["check"]).out;
+        told.lines().next().unwrap_or_default().to_owned()
+    };
+    let documented = "\n/// Operations: ";
+    assert!(text.contains(documented));
+    let more = text.replacen(documented, "\n/// Some more words.\n/// Operations: ", 1);
+    let first = told(&more);
+    let said = "generated/arm.rs differs: 1 line removed, 0 added, in 1 function: ";
+    assert!(first.starts_with(said), "{first}");
+    assert!(first.ends_with("; only comments changed"), "{first}");
+    assert!(more.contains("    let "));
+    let first = told(&more.replacen("    let ", "    let more_", 1));
+    assert!(!first.contains("only"), "{first}");
+}
+
+#[test]
 fn command_that_is_printed_brings_the_files_up_to_date() {
     let project = Project::generated();
     project.replace("models/arm.toml", "mass = 1.5", "mass = 1.25");

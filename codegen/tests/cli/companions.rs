@@ -43,6 +43,18 @@ fn manifest_stands_beside_its_module_which_stays_as_it_is() {
 }
 
 #[test]
+fn line_in_a_manifest_is_no_comment() {
+    let project = generated();
+    let text = project.read("generated/arm.json");
+    for edited in [text.replacen('\n', "\n// x\n", 1), format!("{text}// x\n")] {
+        project.write("generated/arm.json", &edited);
+        let told = project.kane(&["check"]).out;
+        let said = "generated/arm.json differs: 1 line removed, 0 added\n";
+        assert!(told.starts_with(said), "{told}");
+    }
+}
+
+#[test]
 fn manifest_says_what_the_module_holds() {
     let project = generated();
     let (manifest, module) = (manifest(&project), project.read("generated/arm.rs"));

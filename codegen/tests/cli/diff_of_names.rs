@@ -79,7 +79,7 @@ fn flipped_axis_breaks_code() {
     let axis = "<axis xyz=\"0 1 0\"/>\n    <limit lower=\"-2.5\"";
     let ran = edited(&[[axis, &axis.replace("0 1 0", "0 -1 0.5")]], &[]);
     let said = "BREAKING: places that mean something else\n  changed  direction of q, u and tau of elbow  \
-                axis [0.0, 1.0, 0.0] -> axis [0.0, -1.0, 0.5]\n";
+                axis [0.0, 1.0, 0.0] -> axis [0.0, -0.894, 0.447] in the axes of upper_arm\n";
     assert!(ran.out.starts_with(said), "{}", ran.out);
     let told = value(&edited(
         &[[axis, &axis.replace("0 1 0", "0 -1 0")]],
@@ -95,10 +95,9 @@ fn flipped_axis_breaks_code() {
 
 #[test]
 fn axis_that_is_flipped_with_the_axes_that_it_is_given_in_breaks_nothing() {
-    let half_turn = "rotation = [[1, 0, 0], [0, -1, 0], [0, 0, -1]]\n";
+    let half_turn = HALF_TURN;
     let joint = |rotations: &str, axis: &str| {
-        let joint = format!("{rotations}joint = \"revolute\"\naxis = {axis}");
-        model("arm", "2.0").replace("joint = [\"theta2\"]", &joint)
+        jointed(&format!("{rotations}joint = \"revolute\"\naxis = {axis}"))
     };
     let old = joint("", "[0, 1, 0]");
     // The body's own axes turn with those of the joint, or do not.
@@ -110,6 +109,88 @@ fn axis_that_is_flipped_with_the_axes_that_it_is_given_in_breaks_nothing() {
         let told = value(&told(&old, &new, "toml", &["--format", "json"]));
         assert_eq!(told["breaking"], false, "{told}");
     }
+}
+
+/// Half a turn about x, of one key or another.
+const HALF_TURN: &str = "rotation = [[1, 0, 0], [0, -1, 0], [0, 0, -1]]\n";
+
+/// The arm with another joint of its last body, `fore`.
+fn jointed(joint: &str) -> String {
+    let text = model("arm", "2.0");
+    let own = "joint = [\"theta2\"]";
+    assert!(text.contains(own), "{text}");
+    text.replace(own, joint)
+}
+
+#[test]
+fn slides_that_a_planar_joint_chooses_otherwise_break_code() {
+    let planar = |axis: &str| jointed(&format!("joint = \"planar\"\naxis = {axis}"));
+    let functions = ["--functions", "bias"];
+    let told = |old: &str, new: &str| told(&planar(old), &planar(new), "toml", &functions).out;
+    let turned = told("[0.3, 0.2999, 1]", "[0.2999, 0.3, 1]");
+    let said = "  changed  direction of q, u and tau of fore_s1, fore_s2  \
+                axes [0.958, 0.0, -0.287], [-0.079, 0.961, -0.264] -> axes [0.0, -0.958, 0.287], [0.961, -0.079, -0.264] in the axes of ";
+    assert!(turned.contains(said), "{turned}");
+    // The hinge turned too, but one slide did not.
+    let reversed = told("[0, 0, 1]", "[0, 0, -1]");
+    let said = "direction of q, u and tau of fore_theta3, fore_s2  ";
+    assert!(reversed.contains(said), "{reversed}");
+    let leant = told("[0.3, 0.2, 1]", "[0.3, 0.1, 1]");
+    assert!(!leant.contains("direction"), "{leant}");
+}
+
+#[test]
+fn mounting_that_turns_a_joint_around_breaks_code() {
+    let hinge = "joint = \"revolute\"\naxis = [0, 0, 1]";
+    for joint in [hinge, "joint = [\"theta3\"]"] {
+        for keys in [
+            format!("attachment_{HALF_TURN}"),
+            format!("attachment_{HALF_TURN}body_{HALF_TURN}"),
+        ] {
+            let new = jointed(&format!("{keys}{joint}"));
+            let ran = told(&jointed(joint), &new, "toml", &["--functions", "bias"]);
+            let said = "  changed  direction of q, u and tau of fore_theta3  \
+                        axis [0.0, 0.0, 1.0] -> axis [0.0, 0.0, -1.0] in the axes of upper\n";
+            assert!(ran.out.contains(said), "{}", ran.out);
+        }
+        // The body's own axes alone are others.
+        let new = jointed(&format!("body_{HALF_TURN}{joint}"));
+        let ran = told(&jointed(joint), &new, "toml", &["--functions", "bias"]);
+        assert!(!ran.out.contains("direction"), "{}", ran.out);
+    }
+}
+
+#[test]
+fn angle_that_is_held_turns_the_axis_of_a_later_one() {
+    let held = |angle: &str| {
+        jointed(&format!(
+            "joint = [\"theta3\"]\nlocked = {{ theta1 = {angle} }}"
+        ))
+    };
+    let functions = ["--functions", "bias"];
+    let ran = told(&held("0.1"), &held("3.1"), "toml", &functions);
+    assert!(
+        ran.out.contains("direction of q, u and tau of fore_theta3"),
+        "{}",
+        ran.out
+    );
+    let ran = told(&held("0.1"), &held("0.2"), "toml", &functions);
+    assert!(!ran.out.contains("direction"), "{}", ran.out);
+}
+
+#[test]
+fn axes_in_which_a_lower_body_is_described_turn_no_joint() {
+    let hinge = "joint = \"revolute\"\naxis = [0, 0, 1]";
+    let old = jointed(hinge);
+    let name = "[[body]]\nname = ";
+    let (first, _) = old.match_indices(name).next().unwrap();
+    let turned = jointed(&format!("attachment_{HALF_TURN}{hinge}"));
+    let line = turned[first..].find("joint = ").unwrap() + first;
+    let new = format!("{}body_{HALF_TURN}{}", &turned[..line], &turned[line..]);
+    let ran = told(&old, &new, "toml", &["--functions", "bias"]);
+    assert!(!ran.out.contains("direction"), "{}", ran.out);
+    let ran = told(&old, &turned, "toml", &["--functions", "bias"]);
+    assert!(ran.out.contains("direction"), "{}", ran.out);
 }
 
 #[test]

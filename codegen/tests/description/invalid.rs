@@ -272,6 +272,7 @@ files! { FILES, description_is_refused:
     armature_of_no_coordinate
     armature_of_one_component
     attachment_too_large
+    attachment_whose_square_is_too_large
     axis_at_run_time
     axis_is_zero
     axis_missing

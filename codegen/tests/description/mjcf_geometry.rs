@@ -34,6 +34,28 @@ fn axis_and_angle_turn_as_rodrigues_says() {
 }
 
 #[test]
+fn lengths_beyond_a_float_have_directions() {
+    // Their squares overflow.
+    for [large, small] in [
+        ["axisangle=\"0 3e200 4e200 40\"", "axisangle=\"0 3 4 40\""],
+        ["zaxis=\"1e308 1e308 0\"", "zaxis=\"1 1 0\""],
+        [
+            "xyaxes=\"1e308 0 0 1e308 1e308 0\"",
+            "xyaxes=\"1 0 0 1 1 0\"",
+        ],
+        ["quat=\"1e308 0 -1e308 0\"", "quat=\"1 0 -1 0\""],
+    ] {
+        let [large, small] = [large, small].map(|turned| only("", &format!("<body {turned}/>")));
+        oriented(&large, &transposed(&attachment_rotation(&small)));
+    }
+    let body = only(
+        "",
+        "<body><joint axis=\"0 1e200 0\"/><geom size=\"0.1\"/></body>",
+    );
+    assert_eq!(body.joint.axis.unwrap().value, [0.0, 1e200, 0.0]);
+}
+
+#[test]
 fn euler_angles_turn_in_any_sequence() {
     let [a, b, c] = [0.3, -0.8, 1.9];
     for sequence in ["xyz", "zyx", "XYZ", "ZXY", "zXz", "xYx", "XyZ", "zzX"] {

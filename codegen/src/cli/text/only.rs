@@ -7,7 +7,7 @@ use std::{collections::BTreeMap, iter};
 pub(super) enum Only {
     /// Spaces outside strings, line ends, commas before closing brackets.
     Layout,
-    /// Comments that no item has.
+    /// Comments; with those of items, which are documentation.
     Comments,
     /// These, and numbers of the model.
     Numbers,
@@ -16,16 +16,21 @@ pub(super) enum Only {
 }
 
 impl Only {
+    /// The second text is what we write.
     pub(super) fn of(old: &str, new: &str) -> Option<Self> {
-        let have_same_comments = comments(old).eq(comments(new));
-        if code(old).eq(code(new)) {
+        let texts = Texts {
+            has_comments: !new.starts_with(JSON),
+        };
+        let have_same_comments = texts.comments(old).eq(texts.comments(new));
+        if texts.code(old).eq(texts.code(new)) {
             return Some(if have_same_comments {
                 Self::Layout
             } else {
                 Self::Comments
             });
         }
-        let (old, new) = (tokens(old), tokens(new));
+        let have_same_items = texts.items(old).eq(texts.items(new));
+        let (old, new) = (texts.tokens(old), texts.tokens(new));
         if old == new {
             return have_same_comments.then_some(Self::Layout);
         }
@@ -33,12 +38,23 @@ impl Only {
             [&old, &new].map(|tokens| tokens.iter().copied().map(Token::masked));
         if old_masked.eq(new_masked) {
             Some(Self::Numbers)
+        } else if have_same_items {
+            Some(Self::Comments)
         } else if are_renamed(&old, &new) {
             Some(Self::Names)
         } else {
             None
         }
     }
+}
+
+/// How a manifest begins; it has no comments.
+const JSON: char = '{';
+
+/// What lines of two texts are.
+#[derive(Clone, Copy)]
+struct Texts {
+    has_comments: bool,
 }
 
 /// A piece of code.
@@ -79,43 +95,52 @@ fn are_renamed(old: &[Token<'_>], new: &[Token<'_>]) -> bool {
     old.len() == new.len() && pairs.all(are_alike)
 }
 
-/// The lines without comments that no item has.
-fn code(text: &str) -> impl Iterator<Item = &str> {
-    text.lines().filter(|line| !is_comment(line))
-}
-
-/// The comments that no item has.
-fn comments(text: &str) -> impl Iterator<Item = &str> {
-    text.lines().filter(|line| is_comment(line))
-}
-
-fn is_comment(line: &str) -> bool {
-    line.starts_with("//") && !line.starts_with("///")
-}
-
-/// The code without what only lays it out: spaces outside strings, line ends, commas before closing brackets.
-fn tokens(text: &str) -> Vec<Token<'_>> {
-    let mut tokens = Vec::new();
-    for line in code(text) {
-        let line = line.trim_start();
-        let mut rest = line.strip_prefix("///").unwrap_or(line).trim_start();
-        let mut is_in_string = false;
-        while !rest.is_empty() {
-            let (token, after) = first(rest, tokens.last());
-            let closes = matches!(token, Token::Other(")" | "]" | "}"));
-            if closes && tokens.last() == Some(&Token::Other(",")) {
-                tokens.pop();
-            }
-            tokens.push(token);
-            is_in_string ^= token == Token::Other("\"");
-            rest = if is_in_string {
-                after
-            } else {
-                after.trim_start()
-            };
-        }
+impl Texts {
+    /// The lines without comments that no item has.
+    fn code(self, text: &str) -> impl Iterator<Item = &str> {
+        text.lines().filter(move |line| !self.is_comment(line))
     }
-    tokens
+
+    /// The comments that no item has.
+    fn comments(self, text: &str) -> impl Iterator<Item = &str> {
+        text.lines().filter(move |line| self.is_comment(line))
+    }
+
+    /// The lines without comments of any kind.
+    fn items(self, text: &str) -> impl Iterator<Item = &str> {
+        let is_item =
+            move |line: &&str| !(self.has_comments && line.trim_start().starts_with("//"));
+        text.lines().filter(is_item)
+    }
+
+    fn is_comment(self, line: &str) -> bool {
+        self.has_comments && line.starts_with("//") && !line.starts_with("///")
+    }
+
+    /// The code without what only lays it out: spaces outside strings, line ends, commas before closing brackets.
+    fn tokens(self, text: &str) -> Vec<Token<'_>> {
+        let mut tokens = Vec::new();
+        for line in self.code(text) {
+            let line = line.trim_start();
+            let mut rest = line.strip_prefix("///").unwrap_or(line).trim_start();
+            let mut is_in_string = false;
+            while !rest.is_empty() {
+                let (token, after) = first(rest, tokens.last());
+                let closes = matches!(token, Token::Other(")" | "]" | "}"));
+                if closes && tokens.last() == Some(&Token::Other(",")) {
+                    tokens.pop();
+                }
+                tokens.push(token);
+                is_in_string ^= token == Token::Other("\"");
+                rest = if is_in_string {
+                    after
+                } else {
+                    after.trim_start()
+                };
+            }
+        }
+        tokens
+    }
 }
 
 /// The token with which a text begins, and the rest.

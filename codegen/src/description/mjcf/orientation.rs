@@ -4,7 +4,7 @@ use crate::description::Rotation;
 use crate::description::mjcf::model::angles::euler;
 use crate::description::mjcf::model::attributes::{Attributes, ORIENTATION};
 use crate::description::mjcf::model::settings::Settings;
-use crate::description::mjcf::placement::{Placement, about, unit};
+use crate::description::mjcf::placement::{Placement, about, moderate, unit};
 use crate::description::xml::Reader;
 use crate::diagnostic::Diagnostic;
 use crate::geometry::{IDENTITY, Vector, cross, difference, dot, length, of_quaternion, scaled};
@@ -73,7 +73,7 @@ pub(super) fn rotation(
 
 fn xy_axes([x1, x2, x3, y1, y2, y3]: [f64; 6]) -> Option<Rotation> {
     let x = unit([x1, x2, x3])?;
-    let y = [y1, y2, y3];
+    let y = moderate([y1, y2, y3]);
     let y = unit(difference(y, scaled(x, dot(x, y))))?;
     let z = cross(x, y).map(|entry| entry + 0.0);
     Some([x, y, z])

@@ -63,7 +63,18 @@ pub(super) fn about(axis: Vector, [sine, cosine]: [f64; 2]) -> Rotation {
 
 /// The vector of length one with this direction; `None` where it is too short to have one, as MuJoCo sees it.
 pub(super) fn unit(a: Vector) -> Option<Vector> {
+    let a = moderate(a);
     let size = length(a);
     // A length of exactly one stays as it is.
     (size > 1e-14 && size.is_finite()).then(|| a.map(|entry| entry / size + 0.0))
+}
+
+/// The vector, or one of its direction where its length is beyond a float.
+pub(super) fn moderate(a: Vector) -> Vector {
+    if length(a).is_finite() {
+        return a;
+    }
+    let entries = a.into_iter();
+    let largest = entries.fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    a.map(|entry| entry / largest)
 }

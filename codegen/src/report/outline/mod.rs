@@ -5,8 +5,9 @@
 
 mod model;
 mod module;
+mod motions;
 mod system;
 
 pub(super) use module::{coordinates, outline};
-pub(super) use system::{AXIS, LOWER};
+pub(super) use system::{AXIS, LOWER, Motion, Motions};
 pub use system::{Body, Layout, Outline, Values};

@@ -2,11 +2,13 @@
 
 use toml::{Table, Value};
 
-use super::system::{Body, INERTIAL, LOWER, Layout, Outline, Values};
+use super::{
+    motions,
+    system::{Body, INERTIAL, LOWER, Layout, Outline, Values},
+};
 use crate::{
-    description::{Description, WrittenBody, toml as our_format},
+    description::{Description, toml as our_format},
     diagnostic::Diagnostics,
-    geometry::{self, IDENTITY, Vector},
     origin,
     tree::Tree,
 };
@@ -30,17 +32,18 @@ impl Outline {
             Some(below.map_or_else(|| INERTIAL.to_owned(), |table| name(table)))
         };
         let lower_bodies = lower_bodies.into_iter().flatten();
-        let written = tables.iter().zip(&description.bodies);
-        let bodies = written.zip(lower_bodies).map(|((table, body), number)| {
+        let mut motions = motions::by_body(tree);
+        let bodies = tables.iter().zip(lower_bodies).map(|(table, number)| {
             let mut values = Values::new();
             for (key, value) in table.iter().filter(|(key, _)| *key != "name") {
                 flatten(key, value, &mut values);
             }
             values.extend(lower(number).map(|lower| (LOWER.to_owned(), lower)));
+            let name = name(table);
             Body {
-                name: name(table),
+                motions: motions.remove(&name),
+                name,
                 values,
-                axis: axis(body, tree),
             }
         });
         let bodies = bodies.collect();
@@ -73,22 +76,6 @@ impl Outline {
             ],
         })
     }
-}
-
-/// The axis of a body's joint, in the lower body's axes and in its own, where a coordinate is measured about or along it.
-fn axis(body: &WrittenBody, tree: &Tree) -> Option<[Vector; 2]> {
-    let name = &body.name.as_ref()?.value;
-    // A body that is fixed to another one has no coordinate, and one that follows another has that one's.
-    let is_free = tree.bodies.iter().any(|own| own.name == *name) && body.joint.mimic.is_none();
-    let axis = body.joint.axis.as_ref().filter(|_| is_free)?.value;
-    let [lower, own] =
-        [&body.joint.attachment_rotation, &body.joint.body_rotation].map(|rotation| {
-            rotation
-                .as_ref()
-                .map_or(IDENTITY, |rotation| rotation.value)
-        });
-    let lower = geometry::apply(&geometry::transposed(&lower), axis);
-    Some([lower, geometry::apply(&own, axis)])
 }
 
 /// The tables of a list.

@@ -33,7 +33,7 @@ pub(in crate::report) fn outline(file: &File) -> Result<Outline, &'static str> {
         bodies.push(Body {
             name,
             values,
-            axis: None,
+            motions: None,
         });
     }
     for frame in list(file, constants::FRAMES) {
@@ -45,7 +45,7 @@ pub(in crate::report) fn outline(file: &File) -> Result<Outline, &'static str> {
         bodies.extend(field(frame, "name").and_then(string).map(|name| Body {
             name,
             values: values.into(),
-            axis: None,
+            motions: None,
         }));
     }
     let mut values = nominal_values(file);

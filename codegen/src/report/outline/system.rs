@@ -34,8 +34,30 @@ pub struct Body {
     pub name: String,
     /// What is said of it and of its joint.
     pub values: Values,
-    /// The axis about or along which its coordinate is measured, in the lower body's axes and in its own; `None` for modules, which hold none.
-    pub axis: Option<[Vector; 2]>,
+    /// Its joint's own motions; `None` for modules, which hold no axes, and for a body without such motions.
+    pub motions: Option<Motions>,
+}
+
+/// The motions of a body over the one below it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motions {
+    /// The body below, with all that is fixed to it.
+    pub base: String,
+    /// About the joint's axes, in their order.
+    pub turns: Vec<Motion>,
+    /// Along the joint's axes, in their order.
+    pub slides: Vec<Motion>,
+}
+
+/// A motion of a joint, where the joint's other coordinates are zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// The name of its coordinate, or of a component of the angular velocity.
+    pub name: String,
+    /// Its axis among the joint's three.
+    pub place: usize,
+    /// About or along what the body moves, in the axes of the base that its user gives, and in those of the base's joint.
+    pub axis: [Vector; 2],
 }
 
 /// Which arrays are laid out.

@@ -15,6 +15,7 @@ mod following;
 mod idle;
 mod kinematics;
 mod masses;
+mod oversized;
 mod report;
 mod response;
 mod rows;

@@ -11,6 +11,7 @@ use crate::tree::changes::Changes;
 use crate::tree::joint::Orientation;
 use crate::tree::mobility::definite::indefinite;
 use crate::tree::mobility::idle::{Combination, holdable, idle_motions};
+use crate::tree::mobility::oversized::oversized;
 use crate::tree::names::shown;
 use crate::tree::value::Value;
 
@@ -36,6 +37,14 @@ pub(crate) fn check(
         return;
     }
     let motions = idle_motions(tree, MOST_REPORTED);
+    let below = indefinite(tree);
+    if !motions.is_empty() || below.is_some() {
+        let faults = oversized(description);
+        if !faults.is_empty() {
+            findings.extend(faults);
+            return;
+        }
+    }
     let is_all = motions.len() < MOST_REPORTED;
     let (alone, dependent): (Vec<Combination>, Vec<Combination>) =
         motions.into_iter().partition(|motion| motion.len() == 1);
@@ -61,7 +70,7 @@ pub(crate) fn check(
         let fault = separately(tree, description, &alone, is_all);
         findings.push(told(fault, &alone));
     }
-    if let Some(motion) = indefinite(tree) {
+    if let Some(motion) = below {
         findings.push(below_zero(tree, description, motion));
     }
 }
