@@ -131,7 +131,7 @@ fn its_motor_s_torque_is_that_of_the_equation_of_motion_of_the_crank() {
             .expect("no singular posture");
         let expected = torque(crank, w, a);
         // Differences of differences of the fourth order with steps of 1e-3.
-        let most = 1e-6 * expected.abs().max(1.0);
+        let most = 1e-6 * (1.0 + expected.abs());
         assert!(
             (found - expected).abs() < most,
             "{crank}: {found}, {expected}"
