@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
 use std::{
-    collections::HashMap,
+    collections::BTreeMap,
     fmt::Write as _,
     fs,
     sync::{Arc, LazyLock, Mutex, OnceLock},
@@ -51,7 +51,7 @@ const TOLD: [&str; 6] = [
 struct Model {
     path: &'static str,
     tree: Tree,
-    alone: Mutex<HashMap<String, Compiled>>,
+    alone: Mutex<BTreeMap<String, Compiled>>,
 }
 
 /// One function alone in its module, with its values, once it is compiled.
