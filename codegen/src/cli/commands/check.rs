@@ -16,6 +16,7 @@ use kane_codegen::{
 use crate::cli::{
     Failures, Outcome, Voice,
     arguments::selection::{Selection, Whole},
+    clashes,
     job::{self, Job, Reported},
     stray,
     target::Target,
@@ -81,7 +82,7 @@ pub(crate) fn run(
     out: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
     let selected = arguments.selection.read()?;
-    let modules = job::generate(&selected.jobs)?;
+    let modules = clashes::generate(&selected.jobs)?;
     if voice.is_verbose() {
         let told = selected.jobs.iter().zip(&modules);
         let told = told.map(|(job, module)| Reported {
