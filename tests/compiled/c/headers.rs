@@ -78,7 +78,11 @@ pub(crate) fn module(name: &str, model: &str) -> Generated {
         format!("point_jacobian(\"{last}\")+jacobian_packed(\"{last}\", local)"),
         format!("generalized_force(\"{last}\")"),
     ];
-    let functions = functions.chain(of_frame).collect();
+    module_of(name, model, functions.chain(of_frame).collect())
+}
+
+/// A module with these functions, and all that can stand beside it.
+pub(crate) fn module_of(name: &str, model: &str, functions: Vec<String>) -> Generated {
     let prescribed = (model == CLAW).then_some("double");
     let options = Options {
         functions: Functions::Named(functions),
@@ -92,7 +96,7 @@ pub(crate) fn module(name: &str, model: &str) -> Generated {
 }
 
 /// Those that steps need.
-fn derivatives(has_parameters: bool) -> Vec<String> {
+pub(crate) fn derivatives(has_parameters: bool) -> Vec<String> {
     let dynamics = [
         "forward_dynamics",
         "loaded_forward_dynamics",
@@ -132,12 +136,12 @@ fn headers_of_every_function_compile_together_without_warnings_and_without_a_lib
             for standard in standards {
                 let mut command = Command::new(compiler);
                 command.args(WARNINGS).arg(format!("-std={standard}"));
+                // A microcontroller's compiler may have no library.
+                command.args(["-ffreestanding", "-nostdinc"]);
                 run(command.arg("-fsyntax-only").arg(folder.join(file)));
             }
         }
     };
-                // A microcontroller's compiler may have no library.
-                command.args(["-ffreestanding", "-nostdinc"]);
     check(C, ["c99", "gnu17"], "main.c");
     check(CPP, ["c++98", "c++17"], "main.cpp");
 }
