@@ -193,3 +193,12 @@ fn order_of_inertial_parameters_stands_where_they_are_counted() {
         assert!(section.contains(order), "{section}");
     }
 }
+
+#[test]
+fn linearized_steps_say_how_much_stack_they_take() {
+    let header = header_with_frames(&["forward_dynamics+d(forward_dynamics)/d(q, u, tau)"]);
+    for matrices in ["some 20 matrices", "some 30 matrices"] {
+        let told = format!("{matrices} of `TWO_NU` by `TWO_NU` on the stack.");
+        assert!(header.contains(&told), "{header}");
+    }
+}
