@@ -159,8 +159,10 @@ fn companions(reader: &mut Reader, system: &Table<'_, '_>) -> BTreeSet<Companion
         }
     }
     let abi = system.get("abi");
+    let what = system.what("abi");
+    let help = Some("the header for C serves C++ too");
     let abi =
-        abi.and_then(|item| reader.choice(item, &system.what("abi"), &Abi::ALL, "unknown ABI"));
+        abi.and_then(|item| reader.choice_or_help(item, &what, &Abi::ALL, "unknown ABI", help));
     let abi = abi.map(|abi| CompanionKind::Abi(abi.value));
     companions.extend(abi);
     companions

@@ -64,7 +64,7 @@ fn header_that_nothing_asks_for_any_more_is_stray() {
     project.replace("kane.toml", "abi = \"c\"\n", "");
     let stray = ["arm.h", "arm_c.rs"].map(|file| {
         format!(
-            "generated/{file} is produced by nothing in kane.toml: remove it, or give its system `abi = \"c\"`\n"
+            "generated/{file} is produced by nothing in kane.toml, or another kane.toml writes here: remove it, or give its system `abi = \"c\"`\n"
         )
     });
     let ran = project.kane(&["check"]);

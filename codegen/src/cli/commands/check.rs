@@ -173,7 +173,7 @@ fn write_strays(
         let (stray, config) = (stray.display(), whole.config.display());
         writeln!(
             out,
-            "{stray} is produced by nothing in {config}: remove it, or {list}"
+            "{stray} is produced by nothing in {config}, or another kane.toml writes here: remove it, or {list}"
         )?;
     }
     Ok(strays.is_empty())
