@@ -85,7 +85,7 @@ impl Frame {
             return own;
         };
         let (rotation, origin) = (&rotations[body], &origins[body]);
-        let from_inertial = [0, 1, 2].map(|i| origin[i] + own[i]);
-        transposed_times(rotation, from_inertial)
+        let ([x, y, z], [own_x, own_y, own_z]) = (*origin, own);
+        transposed_times(rotation, [x + own_x, y + own_y, z + own_z])
     }
 }

@@ -31,6 +31,7 @@
 
 use crate::manifold::{sign, turn};
 use crate::three::{transposed, transposed_times};
+use crate::vector::plus;
 use crate::{Real, square_root::square_root};
 
 /// The rotation matrix of a frame that has turned by a rotation vector, rad, of a length below 2^31 in `f64`, 2^17 in `f32`.
@@ -124,7 +125,7 @@ pub(crate) fn error_and_cosine<R: Real + PartialOrd>(
 ) -> ([R; 3], R) {
     let turn = between(from, to);
     let zero = R::from_f64(0.0);
-    let [x, y, z] = [0, 1, 2].map(|i| turn[i][i]);
+    let [x, y, z] = [turn[0][0], turn[1][1], turn[2][2]];
     let greatest = if x + y + z > zero {
         0
     } else if x >= y && x >= z {
@@ -159,15 +160,19 @@ fn quaternion<R: Real>(turn: &[[R; 3]; 3]) -> [R; 4] {
         .fold([R::from_f64(0.0); 4], |sum, (i, row)| {
             let along = sum[0] * row[0] + sum[1] * row[1] + sum[2] * row[2] + sum[3] * row[3];
             let weight = sign(along) * row[i];
-            [0, 1, 2, 3].map(|j| sum[j] + weight * row[j])
+            plus(&sum, &row.map(|entry| weight * entry))
         })
 }
 
 /// The unit quaternion of a turn of vectors, scalar first, in each row times four times one of its entries, whose square stands on the diagonal.
 fn rows<R: Real>(turn: &[[R; 3]; 3]) -> [[R; 4]; 4] {
     let one = R::from_f64(1.0);
-    let [x, y, z] = [0, 1, 2].map(|i| turn[i][i]);
-    let odd = [(2, 1), (0, 2), (1, 0)].map(|(i, j)| turn[i][j] - turn[j][i]);
+    let [x, y, z] = [turn[0][0], turn[1][1], turn[2][2]];
+    let odd = [
+        turn[2][1] - turn[1][2],
+        turn[0][2] - turn[2][0],
+        turn[1][0] - turn[0][1],
+    ];
     let even = |i: usize, j: usize| turn[i][j] + turn[j][i];
     [
         [one + x + y + z, odd[0], odd[1], odd[2]],

@@ -1,4 +1,6 @@
 //! Vectors and matrices of three.
+//!
+//! Entries are written out: where the compiler keeps a loop over places, it checks each of them, and callers can panic.
 
 use crate::Real;
 
@@ -23,7 +25,8 @@ pub(crate) fn cross<R: Real>(a: Vector<R>, b: Vector<R>) -> Vector<R> {
 }
 
 pub(crate) fn transposed<R: Real>(matrix: &Matrix<R>) -> Matrix<R> {
-    [0, 1, 2].map(|i| [0, 1, 2].map(|j| matrix[j][i]))
+    let [a, b, c] = *matrix;
+    [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]]
 }
 
 /// A matrix times a vector.
@@ -33,5 +36,5 @@ pub(crate) fn times<R: Real>(matrix: &Matrix<R>, v: Vector<R>) -> Vector<R> {
 
 /// A transposed matrix times a vector.
 pub(crate) fn transposed_times<R: Real>(matrix: &Matrix<R>, v: Vector<R>) -> Vector<R> {
-    [0, 1, 2].map(|j| matrix[0][j] * v[0] + matrix[1][j] * v[1] + matrix[2][j] * v[2])
+    times(&transposed(matrix), v)
 }

@@ -11,7 +11,12 @@ use crate::{Array, Real, System};
 /// `a + b / 2 + c / 12`.
 fn sum<R: Real>(a: Vector<R>, b: Vector<R>, c: Vector<R>) -> Vector<R> {
     let (half, twelfth) = (R::from_f64(0.5), R::from_f64(1.0 / 12.0));
-    [0, 1, 2].map(|i| a[i] + (half * b[i] + twelfth * c[i]))
+    let entry = |a, b, c| a + (half * b + twelfth * c);
+    [
+        entry(a[0], b[0], c[0]),
+        entry(a[1], b[1], c[1]),
+        entry(a[2], b[2], c[2]),
+    ]
 }
 
 /// The rate at the direction `d`, of a system that moves with `u`.

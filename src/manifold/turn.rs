@@ -95,13 +95,19 @@ fn polynomial<R: Real>(d: Vector<R>, a: R, b: R) -> Matrix<R> {
         [d[2], zero, -d[0]],
         [-d[1], d[0], zero],
     ];
-    let square = square(d);
-    [0, 1, 2].map(|i| {
-        [0, 1, 2].map(|j| {
-            let own = if i == j { one - b * square } else { zero };
-            own + a * cross[i][j] + b * d[i] * d[j]
-        })
-    })
+    let own = one - b * square(d);
+    let row = |[x, y, z]: Vector<R>, cross: Vector<R>, factor: R| {
+        [
+            x + a * cross[0] + b * factor * d[0],
+            y + a * cross[1] + b * factor * d[1],
+            z + a * cross[2] + b * factor * d[2],
+        ]
+    };
+    [
+        row([own, zero, zero], cross[0], d[0]),
+        row([zero, own, zero], cross[1], d[1]),
+        row([zero, zero, own], cross[2], d[2]),
+    ]
 }
 
 /// The matrix of the inverse rotation, what a rotation before makes of one after, and the right Jacobian of SO(3): the change of the

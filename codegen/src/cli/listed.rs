@@ -99,12 +99,13 @@ impl Listed {
         let shown = paths::with_slashes(&relative).ok_or_else(|| cannot_be_shown(&model))?;
         Ok(Job {
             shown,
-            target: Target::File(place(&system.output)),
+            target: Target::File(place(&system.output.value)),
             options: system.options.clone(),
             budget: system.budget.clone(),
             listing: Some(Listing {
                 config: Arc::clone(&self.source),
                 model: system.model.span,
+                output: system.output.span,
                 functions: system.named.clone(),
                 prescribed: system.prescribed.clone(),
                 changed: system.changed.clone(),

@@ -8,6 +8,7 @@ mod arguments;
 mod commands;
 mod text;
 // What they share: which systems, where they stand, what is wrong with them.
+mod clashes;
 mod failure;
 mod git;
 mod job;

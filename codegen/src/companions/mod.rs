@@ -9,7 +9,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-pub use crate::options::companion::{Abi, CompanionKind, can_be_beside};
+pub use crate::options::companion::{Abi, CompanionKind, HEADER, can_be_beside};
 
 use crate::{
     compile::Compiled,

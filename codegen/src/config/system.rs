@@ -29,7 +29,7 @@ pub struct System {
     /// The description's path, relative to `kane.toml`.
     pub model: Spanned<String>,
     /// The generated file's path, relative to `kane.toml`.
-    pub output: String,
+    pub output: Spanned<String>,
     /// What is generated, and how.
     pub options: Options,
     /// The functions that it names, where they stand: what is wrong with one may follow from the model.
@@ -102,7 +102,7 @@ pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> Read 
     let system = || {
         Some(System {
             model: model?,
-            output: output.as_ref()?.module.value.clone(),
+            output: output.as_ref()?.module.clone(),
             options: options?,
             named: named?,
             prescribed,
@@ -159,8 +159,10 @@ fn companions(reader: &mut Reader, system: &Table<'_, '_>) -> BTreeSet<Companion
         }
     }
     let abi = system.get("abi");
+    let what = system.what("abi");
+    let help = Some("the header for C serves C++ too");
     let abi =
-        abi.and_then(|item| reader.choice(item, &system.what("abi"), &Abi::ALL, "unknown ABI"));
+        abi.and_then(|item| reader.choice_or_help(item, &what, &Abi::ALL, "unknown ABI", help));
     let abi = abi.map(|abi| CompanionKind::Abi(abi.value));
     companions.extend(abi);
     companions

@@ -285,6 +285,18 @@ impl Reader {
         choices: &[(&str, T)],
         label: &str,
     ) -> Option<Spanned<T>> {
+        self.choice_or_help(item, what, choices, label, None)
+    }
+
+    /// The same, with what helps where it is none.
+    pub(crate) fn choice_or_help<T: Copy>(
+        &mut self,
+        item: &Item<'_>,
+        what: &str,
+        choices: &[(&str, T)],
+        label: &str,
+        help: Option<&str>,
+    ) -> Option<Spanned<T>> {
         let text = self.string(item, what)?;
         let found = choices.iter().find(|(name, _)| *name == text.value);
         if found.is_none() {
@@ -298,7 +310,7 @@ impl Reader {
             };
             let found = text.value.escaped();
             let fault = Diagnostic::error(format!("{what} is `{found}`; expected {expected}"));
-            self.faults.push(fault.at(text.span, label));
+            self.faults.push(fault.at(text.span, label).help_if(help));
         }
         found.map(|(_, value)| Spanned::new(*value, text.span))
     }

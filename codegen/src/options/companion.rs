@@ -34,11 +34,10 @@ pub enum Abi {
 pub(crate) const SCALES: [&str; 2] = ["mass_center_position", "inverse_dynamics"];
 
 /// The ending of the header, the file of [`Abi::C`] that programs in C include.
-pub(crate) const HEADER: &str = ".h";
+pub const HEADER: &str = ".h";
 
 /// What [`can_be_beside`] asks of a name.
-pub const EXPECTED_NAME: &str =
-    "expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust or header of C";
+pub const EXPECTED_NAME: &str = "expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust or header of C; nor `kane` for C";
 
 /// The headers of the C library, which a program that looks for headers in the module's folder would miss.
 const C_HEADERS: [&str; 31] = [
@@ -137,8 +136,10 @@ pub(crate) fn beside(module: &Path, ending: &str) -> PathBuf {
 
 /// True where files of these kinds can stand beside a module of this name.
 pub fn can_be_beside(kinds: &BTreeSet<CompanionKind>, name: &str) -> bool {
-    let is_header = C_HEADERS.contains(&&*name.to_ascii_lowercase());
-    let is_taken = is_header && kinds.contains(&CompanionKind::Abi(Abi::C));
+    let lower = name.to_ascii_lowercase();
+    // What several headers share begins with `kane`.
+    let is_taken = C_HEADERS.contains(&&*lower) || lower == "kane";
+    let is_taken = is_taken && kinds.contains(&CompanionKind::Abi(Abi::C));
     !kinds.iter().any(|kind| kind.names_module()) || is_name(name) && !is_taken
 }
 

@@ -312,14 +312,14 @@ fn files_that_nothing_produces_are_stray() {
     let ran = project.kane(&["check"]);
     assert_eq!(ran.code, 1);
     insta::assert_snapshot!(ran.out, @"
-    generated/by/hand.txt is produced by nothing in kane.toml: remove it, or list its system
-    generated/old.rs is produced by nothing in kane.toml: remove it, or list its system
+    generated/by/hand.txt is produced by nothing in kane.toml, or another kane.toml writes here: remove it, or list its system
+    generated/old.rs is produced by nothing in kane.toml, or another kane.toml writes here: remove it, or list its system
     ");
     assert_eq!(
         project.kane_in("generated", &["check"]).out,
         ran.out
             .replace("generated/", "../generated/")
-            .replace("kane.toml", "../kane.toml")
+            .replace("in kane.toml", "in ../kane.toml")
     );
 }
 

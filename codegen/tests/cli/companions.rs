@@ -167,7 +167,7 @@ fn manifest_that_nothing_asks_for_any_more_is_stray() {
         project.write("src/other.json", "{ \"generated_by\": \"another\" }");
         let ran = project.kane(&["check"]);
         let stray = format!(
-            "{output}.json is produced by nothing in kane.toml: remove it, or give its system `manifest = true`\n"
+            "{output}.json is produced by nothing in kane.toml, or another kane.toml writes here: remove it, or give its system `manifest = true`\n"
         );
         assert_eq!((ran.code, ran.out), (1, stray));
     }

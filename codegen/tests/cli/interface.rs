@@ -64,7 +64,7 @@ fn header_that_nothing_asks_for_any_more_is_stray() {
     project.replace("kane.toml", "abi = \"c\"\n", "");
     let stray = ["arm.h", "arm_c.rs"].map(|file| {
         format!(
-            "generated/{file} is produced by nothing in kane.toml: remove it, or give its system `abi = \"c\"`\n"
+            "generated/{file} is produced by nothing in kane.toml, or another kane.toml writes here: remove it, or give its system `abi = \"c\"`\n"
         )
     });
     let ran = project.kane(&["check"]);
@@ -93,5 +93,72 @@ fn module_whose_name_c_cannot_have_is_refused_and_nothing_written() {
     let arguments = ["generate", "models/arm.toml", "--abi", "c", "--output"];
     let ran = project.kane(&[&arguments[..], &["my-arm.rs"]].concat());
     assert_eq!((ran.code, project.files()), (2, files));
-    insta::assert_snapshot!(ran.err, @"error: the module is called `my-arm`; the files beside it contain that name: expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust or header of C");
+    insta::assert_snapshot!(ran.err, @"error: the module is called `my-arm`; the files beside it contain that name: expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust or header of C; nor `kane` for C");
+}
+
+/// A project with these systems of its model, each with its functions for C: modules and functions.
+fn systems(all: [(&str, &str); 2]) -> Project {
+    let project = Project::arm();
+    let system = |(module, functions)| {
+        format!(
+            "[[system]]\nmodel = \"models/arm.toml\"\noutput = \"generated/{module}.rs\"\nfunctions = [{functions}]\nabi = \"c\"\n"
+        )
+    };
+    project.write("kane.toml", &all.map(system).concat());
+    project
+}
+
+#[test]
+fn modules_that_declare_one_function_in_c_are_refused_and_nothing_written() {
+    let project = systems([
+        ("arm", "\"left_x = bias\""),
+        ("arm_left", "\"x = mass_matrix\""),
+    ]);
+    let files = project.files();
+    for command in ["generate", "check"] {
+        let ran = project.kane(&[command]);
+        assert_eq!((ran.code, project.files()), (2, files.clone()));
+        insta::allow_duplicates! {
+            insta::assert_snapshot!(ran.err, @r#"
+            error: the modules `arm` and `arm_left` both declare `arm_left_x_f32` and 1 more in C
+             --> kane.toml:8:10
+              |
+            3 | output = "generated/arm.rs"
+              |          ------------------ the first one
+            ...
+            8 | output = "generated/arm_left.rs"
+              |          ^^^^^^^^^^^^^^^^^^^^^^^ the second one
+              |
+              = help: names in C begin with that of the module: rename one file, or the function
+            "#);
+        }
+    }
+    // The same Rust without C is sound.
+    project.replace("kane.toml", "abi = \"c\"\n", "");
+    assert_eq!(project.kane(&["generate"]).code, 0);
+}
+
+#[test]
+fn modules_that_declare_one_constant_in_c_are_refused() {
+    let functions = "\"bias\"";
+    let project = systems([("arm", functions), ("arm_q", functions)]);
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    // A coordinate of the one is called as a size of the other.
+    project.replace("models/arm.toml", "\"upper\"", "\"nb\"");
+    project.replace("kane.toml", "arm_q.rs", "arm_body.rs");
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.code, 2);
+    let told = "error: the modules `arm` and `arm_body` both declare `ARM_BODY_NB` in C\n";
+    assert!(ran.err.starts_with(told), "{}", ran.err);
+}
+
+#[test]
+fn module_called_as_what_headers_share_is_refused_for_c_alone() {
+    let functions = "\"load = bias\"";
+    let project = systems([("arm", functions), ("kane", functions)]);
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("nor `kane` for C"), "{}", ran.err);
+    project.replace("kane.toml", "abi = \"c\"\n", "");
+    assert_eq!(project.kane(&["generate"]).code, 0);
 }

@@ -101,13 +101,22 @@ fn new_package_in_c_runs_and_is_up_to_date() {
         "run",
         "CFLAGS=-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror",
     ]);
-    let output = make.env("CARGO_NET_OFFLINE", "true").output().unwrap();
+    let make = make.env("CARGO_NET_OFFLINE", "true");
+    let target = project.path("target");
+    let output = make.env("CARGO_TARGET_DIR", &target).output().unwrap();
     let printed = String::from_utf8_lossy(&output.stdout);
     let told = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{printed}{told}");
     assert!(!told.contains("warning"), "{told}");
     let last = "u = 0.000 0.000 0.000 0.000 0.000 0.000 0.000\n";
     assert!(printed.ends_with(last), "{printed}");
+    // What it does not call is not linked; texts for debuggers may still name it.
+    let program = std::fs::read(target.join("release/bird")).unwrap();
+    let count = |name: &str| {
+        let parts = program.windows(name.len());
+        parts.filter(|part| *part == name.as_bytes()).count()
+    };
+    assert!(count("bird_inverse_dynamics_f64") > count("bird_inverse_dynamics_f32"));
 }
 
 #[test]

@@ -15,7 +15,7 @@ fn what_is_absent_has_its_default() {
         panic!("one system")
     };
     assert_eq!(
-        (arm.model.value.as_str(), arm.output.as_str()),
+        (arm.model.value.as_str(), arm.output.value.as_str()),
         ("models/arm.toml", "generated/arm.rs")
     );
     assert_eq!(

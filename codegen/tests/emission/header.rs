@@ -18,7 +18,12 @@ fn header(change: impl FnOnce(&mut Facts)) -> String {
 /// The header of a body that turns, with another one.
 fn header_of(other: (&str, &str), options: &Options, change: impl FnOnce(&mut Facts)) -> String {
     let text = system("[0, 1]", &[("one", "[\"theta1\"]"), other]);
-    let tree = build(&text).expect("a sound description").tree;
+    header_for(&text, options, change)
+}
+
+/// The header of a model.
+fn header_for(text: &str, options: &Options, change: impl FnOnce(&mut Facts)) -> String {
+    let tree = build(text).expect("a sound description").tree;
     let compiled = compile::compile(&tree, options).expect("functions of every system");
     let origin = Origin::new(&tree, "two.toml", options);
     let mut module = Module::new(&tree, origin, &compiled);
@@ -62,7 +67,7 @@ fn numbers_without_bound_are_huge() {
     let table: String = header[start..].chars().take_while(|&c| c != ';').collect();
     let numbers = table.split_once('{').expect("its numbers").1;
     let numbers: Vec<&str> = numbers.split([',', '}']).map(str::trim).collect();
-    assert_eq!(numbers[..2], ["-HUGE_VAL", "0.1"]);
+    assert_eq!(numbers[..2], ["-KANE_NO_LIMIT", "0.1"]);
 }
 
 #[test]
@@ -117,4 +122,83 @@ fn frame_called_as_a_function_keeps_its_name_in_texts() {
     assert!(header.contains("frame `bias`"), "{header}");
     assert!(!header.contains("frame `two_"), "{header}");
     assert!(header.contains("void two_bias_f64("));
+}
+
+#[test]
+fn every_name_of_the_module_in_the_code_of_a_header_is_one_that_it_declares() {
+    let functions = Functions::of([ALL, "bias(sin_cos)", "pose(two)"].map(str::to_owned));
+    let options = Options {
+        functions,
+        ..Options::default()
+    };
+    let header = header_of(("two", "[\"s1\"]"), &options, |_| {});
+    let declared = c::identifiers(&header, "two");
+    let code = header.lines().map(|line| line.split("//").next());
+    // Between quotes names are those of the model.
+    let code = code.flatten().flat_map(|line| line.split('"').step_by(2));
+    let is_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
+    let words = code.flat_map(|line| line.split(|c| !is_of_name(c)));
+    let own = words.filter(|word| word.starts_with("two_") || word.starts_with("TWO_"));
+    let own: std::collections::BTreeSet<&str> = own.collect();
+    assert_eq!(declared, own);
+    assert!(own.len() > 200, "{}", own.len());
+}
+
+/// The header of a robot with two frames, with these functions.
+fn header_with_frames(functions: &[&str]) -> String {
+    let fixed = "\"fixed\"";
+    let one = ("one", "[\"theta1\", \"s2\"]");
+    let text = system("[0, 1, 1]", &[one, ("tool", fixed), ("s", fixed)]);
+    let functions = functions.iter().map(|&name| name.to_owned());
+    let options = Options {
+        functions: Functions::of(functions),
+        ..Options::default()
+    };
+    header_for(&text, &options, |_| {})
+}
+
+#[test]
+fn every_table_has_its_length_as_a_macro() {
+    let header = header_with_frames(&["base_regressor", "partial_velocity"]);
+    for table in ["FRAMES", "BASE_PARAMETER_TERMS", "PARTIAL_VELOCITY_BLOCKS"] {
+        let declared = format!(" TWO_{table}[TWO_{table}_LEN] = {{\n");
+        let (_, rest) = header.split_once(&declared).expect(table);
+        let (entries, _) = rest.split_once("\n};").expect(table);
+        let length = format!("#define TWO_{table}_LEN {}\n", entries.lines().count());
+        assert!(header.contains(&length), "{length}{header}");
+    }
+    // None of a table that is not there.
+    assert!(!header_with_frames(&["bias"]).contains("TERMS_LEN"));
+}
+
+#[test]
+fn frames_have_an_enumeration_as_bodies_have() {
+    let header = header_with_frames(&["bias"]);
+    let frames = "enum {\n    TWO_FRAME_TOOL = 0,\n    TWO_FRAME_S = 1\n};\n";
+    assert!(header.contains(frames), "{header}");
+}
+
+#[test]
+fn order_of_inertial_parameters_stands_where_they_are_counted() {
+    let header = header_with_frames(&["base_regressor", "regressor_packed", "regressor"]);
+    let order = "m, m c_x, m c_y, m c_z, I_xx, I_xy, I_yy, I_xz, I_yz, I_zz";
+    for declared in [
+        "void two_regressor_f64(",
+        "typedef struct kane_base_term {",
+        "int TWO_REGRESSOR_PACKED_PLACES[",
+    ] {
+        let mut sections = header.split("\n\n");
+        let section = sections.find(|section| section.contains(declared));
+        let section = section.expect(declared).replace('`', "");
+        assert!(section.contains(order), "{section}");
+    }
+}
+
+#[test]
+fn linearized_steps_say_how_much_stack_they_take() {
+    let header = header_with_frames(&["forward_dynamics+d(forward_dynamics)/d(q, u, tau)"]);
+    for matrices in ["some 20 matrices", "some 30 matrices"] {
+        let told = format!("{matrices} of `TWO_NU` by `TWO_NU` on the stack.");
+        assert!(header.contains(&told), "{header}");
+    }
 }

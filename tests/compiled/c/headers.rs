@@ -78,7 +78,11 @@ pub(crate) fn module(name: &str, model: &str) -> Generated {
         format!("point_jacobian(\"{last}\")+jacobian_packed(\"{last}\", local)"),
         format!("generalized_force(\"{last}\")"),
     ];
-    let functions = functions.chain(of_frame).collect();
+    module_of(name, model, functions.chain(of_frame).collect())
+}
+
+/// A module with these functions, and all that can stand beside it.
+pub(crate) fn module_of(name: &str, model: &str, functions: Vec<String>) -> Generated {
     let prescribed = (model == CLAW).then_some("double");
     let options = Options {
         functions: Functions::Named(functions),
@@ -92,7 +96,7 @@ pub(crate) fn module(name: &str, model: &str) -> Generated {
 }
 
 /// Those that steps need.
-fn derivatives(has_parameters: bool) -> Vec<String> {
+pub(crate) fn derivatives(has_parameters: bool) -> Vec<String> {
     let dynamics = [
         "forward_dynamics",
         "loaded_forward_dynamics",
@@ -115,7 +119,7 @@ fn derivatives(has_parameters: bool) -> Vec<String> {
 }
 
 #[test]
-fn headers_of_every_function_compile_together_and_without_warnings() {
+fn headers_of_every_function_compile_together_without_warnings_and_without_a_library() {
     let folder = folder("headers");
     let mut source = String::new();
     // Once more: a header is read once.
@@ -132,6 +136,8 @@ fn headers_of_every_function_compile_together_and_without_warnings() {
             for standard in standards {
                 let mut command = Command::new(compiler);
                 command.args(WARNINGS).arg(format!("-std={standard}"));
+                // A microcontroller's compiler may have no library.
+                command.args(["-ffreestanding", "-nostdinc"]);
                 run(command.arg("-fsyntax-only").arg(folder.join(file)));
             }
         }

@@ -9,6 +9,7 @@
 mod every_function;
 mod example;
 mod headers;
+mod panics;
 mod steps;
 
 use std::{

@@ -17,6 +17,7 @@ use kane_codegen::{
 use crate::cli::{
     Failures, Outcome, Voice,
     arguments::selection::{Selection, Whole},
+    clashes,
     job::{self, Job, Reported},
     stray,
     target::Target,
@@ -89,7 +90,7 @@ pub(crate) fn run(
     out: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
     let selected = arguments.selection.read()?;
-    let modules = job::generate(&selected.jobs)?;
+    let modules = clashes::generate(&selected.jobs)?;
     if voice.is_verbose() {
         let told = selected.jobs.iter().zip(&modules);
         let told = told.map(|(job, module)| Reported {
@@ -180,7 +181,7 @@ fn write_strays(
         let (stray, config) = (stray.display(), whole.config.display());
         writeln!(
             out,
-            "{stray} is produced by nothing in {config}: remove it, or {list}"
+            "{stray} is produced by nothing in {config}, or another kane.toml writes here: remove it, or {list}"
         )?;
     }
     Ok(strays.is_empty())

@@ -18,6 +18,7 @@ use kane_codegen::{
 use crate::cli::{
     Failures, Outcome, Voice,
     arguments::selection::Selection,
+    clashes,
     job::{self, Job, Reported},
     rounded_angles, stray,
     target::Target,
@@ -57,7 +58,7 @@ pub(crate) fn run(
     )]
     let start = Instant::now();
     let selected = arguments.selection.read()?;
-    let modules = job::generate(&selected.jobs)?;
+    let modules = clashes::generate(&selected.jobs)?;
     let overwrite = |job: &Job| match (arguments.force, &job.listing) {
         (true, _) => Overwrite::Anything,
         // A model that is listed may have another path than it had.

@@ -55,6 +55,7 @@ pub(crate) struct Job {
 pub(crate) struct Listing {
     pub(crate) config: Arc<Source>,
     pub(crate) model: Span,
+    pub(crate) output: Span,
     /// Those that it names there, unless others are asked for.
     pub(crate) functions: Named,
     /// The joints that it prescribes there, unless others are.
@@ -177,7 +178,7 @@ impl Job {
     }
 }
 
-/// Generates every module, or says what is wrong with any of them.
+/// Generates every module, or says what is wrong with any of them alone.
 pub(crate) fn generate(jobs: &[Job]) -> Result<Vec<Generated>, Failures> {
     let mut failures = Failures::default();
     let modules = jobs.iter();

@@ -5,7 +5,7 @@ use super::{
     text::{once, table},
 };
 use crate::{
-    functions::CompactBlock,
+    functions::{CompactBlock, Packed},
     listing::{BaseTerm, Constant, Data, Facts, Frame},
 };
 
@@ -21,7 +21,10 @@ pub(super) fn tables(facts: &Facts, prefix: &str, names: &Names) -> Vec<String> 
         tables.insert(0, once("KANE_FRAME", FRAME));
     }
     if facts.base_parameters.is_some() {
-        tables.insert(0, once("KANE_BASE_TERM", BASE_TERM));
+        tables.insert(
+            0,
+            once("KANE_BASE_TERM", &BASE_TERM.replace("INERTIAL", INERTIAL)),
+        );
     }
     if facts
         .patterns
@@ -33,8 +36,8 @@ pub(super) fn tables(facts: &Facts, prefix: &str, names: &Names) -> Vec<String> 
     tables
 }
 
-/// What the tables need of C's library, before anything that is declared for C++.
-pub(super) fn include(facts: &Facts) -> Option<String> {
+/// What the tables need where there is no limit, before anything that is declared for C++: an include only for compilers without the constant.
+pub(super) fn no_limit(facts: &Facts) -> Option<String> {
     let limits = &facts.limits;
     let mut all = [
         &limits.lower,
@@ -44,11 +47,25 @@ pub(super) fn include(facts: &Facts) -> Option<String> {
     ]
     .into_iter();
     let has_none = all.any(|values| values.iter().any(|value| value.is_infinite()));
-    has_none.then(|| "#include <math.h>\n".to_owned())
+    has_none.then(|| NO_LIMIT.to_owned())
 }
+
+const NO_LIMIT: &str = "\
+/// What stands where there is no limit: infinity.
+#ifndef KANE_NO_LIMIT
+#ifdef __GNUC__
+#define KANE_NO_LIMIT __builtin_huge_val()
+#else
+#include <math.h>
+#define KANE_NO_LIMIT HUGE_VAL
+#endif
+#endif
+";
 
 fn of(constant: &Constant<'_>, prefix: &str, names: &Names) -> Option<String> {
     let name = constant.name;
+    // The length of what has it in its type in Rust.
+    let own = format!("{prefix}{name}_LEN");
     let (declared, entries): (String, Vec<String>) = match &constant.data {
         Data::Texts(length, texts) => (
             format!("char *const {prefix}{name}[{prefix}{length}]"),
@@ -59,11 +76,11 @@ fn of(constant: &Constant<'_>, prefix: &str, names: &Names) -> Option<String> {
             values.iter().map(|value| number(*value)).collect(),
         ),
         Data::Frames(frames) => (
-            format!("kane_frame {prefix}{name}[{}]", frames.len()),
+            format!("kane_frame {prefix}{name}[{own}]"),
             frames.iter().map(frame).collect(),
         ),
         Data::Terms(terms) => (
-            format!("kane_base_term {prefix}{name}[{}]", terms.len()),
+            format!("kane_base_term {prefix}{name}[{own}]"),
             terms.iter().map(term).collect(),
         ),
         Data::Integers(length, values) => (
@@ -82,7 +99,7 @@ fn of(constant: &Constant<'_>, prefix: &str, names: &Names) -> Option<String> {
             places.iter().map(|place| list(place)).collect(),
         ),
         Data::Blocks(blocks) => (
-            format!("kane_block {prefix}{name}[{}]", blocks.len()),
+            format!("kane_block {prefix}{name}[{own}]"),
             blocks.iter().map(block).collect(),
         ),
         // Sizes stand above; the places of joints are enumerations.
@@ -91,9 +108,20 @@ fn of(constant: &Constant<'_>, prefix: &str, names: &Names) -> Option<String> {
         }
     };
     let is_truth = matches!(constant.data, Data::Truths(..));
-    let doc =
-        names.renamed(&constant.doc, &[]) + if is_truth { " 1 is true, 0 false." } else { "" };
-    (!entries.is_empty()).then(|| table(&doc, &declared, entries.into_iter()))
+    let mut doc = names.renamed(&constant.doc, &[]);
+    if is_truth {
+        doc += " 1 is true, 0 false.";
+    }
+    if name == Packed::Regressor.places_constant() {
+        doc = format!("{doc} A body's ten parameters, counted from 0, are {INERTIAL}.");
+    }
+    let length = if declared.ends_with(&format!("[{own}]")) {
+        let n_entries = entries.len();
+        format!("/// The number of entries of `{prefix}{name}`.\n#define {own} {n_entries}\n")
+    } else {
+        String::new()
+    };
+    (!entries.is_empty()).then(|| length + &table(&doc, &declared, entries.into_iter()))
 }
 
 const FRAME: &str = "\
@@ -107,9 +135,12 @@ typedef struct kane_frame {
 } kane_frame;
 ";
 
+/// The inertial parameters of a body in the order of a regressor's columns.
+const INERTIAL: &str = "m, m c_x, m c_y, m c_z, I_xx, I_xy, I_yy, I_xz, I_yz, I_zz";
+
 const BASE_TERM: &str = "\
 /// A term of a base parameter: the places of the base parameter, of the body, and of the parameter among the body's ten, all counted
-/// from 0; what that is multiplied with.
+/// from 0; what that is multiplied with. The ten are INERTIAL.
 typedef struct kane_base_term {
     int base;
     int body;
@@ -168,7 +199,7 @@ fn frame(frame: &Frame) -> String {
 fn number(value: f64) -> String {
     if value.is_infinite() {
         let sign = if value < 0.0 { "-" } else { "" };
-        return format!("{sign}HUGE_VAL");
+        return format!("{sign}KANE_NO_LIMIT");
     }
     format!("{value:?}")
 }

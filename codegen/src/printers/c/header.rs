@@ -39,7 +39,7 @@ pub fn text(module: &Module, name: &str) -> String {
         header.opening(),
         format!("#ifndef {guard}\n#define {guard}\n"),
     ];
-    sections.extend(data::include(facts));
+    sections.extend(data::no_limit(facts));
     sections.push("#ifdef __cplusplus\nextern \"C\" {\n#endif\n".to_owned());
     sections.push(header.input());
     sections.push(header.sizes());
@@ -135,10 +135,11 @@ impl Header<'_> {
         self.facts.sizes.0.iter().map(define).collect()
     }
 
-    /// Where in their arrays coordinates, speeds, values set at run time, angles and bodies stand.
+    /// Where in their arrays coordinates, speeds, values set at run time, angles, bodies and frames stand.
     fn places(&self) -> Vec<String> {
         let facts = self.facts;
         let bodies = facts.bodies.iter().map(|body| body.identifier.as_str());
+        let frames = facts.frames.iter().map(|frame| frame.identifier.as_str());
         let parameters = facts.parameters.iter();
         let parameters = parameters.map(|parameter| parameter.name.as_str());
         let angles = facts.angles.iter().flatten();
@@ -147,6 +148,12 @@ impl Header<'_> {
                 kind: "BODY",
                 doc: "The bodies.".into(),
                 names: bodies.collect(),
+                notes: Vec::new(),
+            },
+            Places {
+                kind: "FRAME",
+                doc: "The frames.".into(),
+                names: frames.collect(),
                 notes: Vec::new(),
             },
             Places {

@@ -90,6 +90,7 @@ fn doc(step: Step) -> Vec<String> {
             "Also its derivatives: a change of the state, of `q` before that of `u`, is after the step `a` times that before it and `b` times that of `tau`.".to_owned(),
             PER_SPEED.to_owned(),
             STATE_IN_PLACE.to_owned(),
+            format!("Beside the dynamics it takes some {} matrices of `NU` by `NU` on the stack.", n_matrices(condition, scheme)),
         ],
         Way::Forward | Way::ForwardWithParameters => vec![
             state,
@@ -108,6 +109,18 @@ fn doc(step: Step) -> Vec<String> {
     };
     let idle = (condition == Condition::Driven).then(|| IDLE.to_owned());
     lines.into_iter().chain(idle).collect()
+}
+
+/// How many matrices a linearized step has on the stack, measured, about.
+fn n_matrices(condition: Condition, scheme: Scheme) -> u32 {
+    let own = match scheme {
+        Scheme::Euler => 20,
+        Scheme::Rk4 => 30,
+    };
+    match condition {
+        Condition::Free | Condition::Loaded => own,
+        Condition::Driven => own + 3,
+    }
 }
 
 /// What a product is by, behind the state.

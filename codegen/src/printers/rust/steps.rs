@@ -61,19 +61,23 @@ pub(super) fn call(step: Step) -> TokenStream {
     }
 }
 
-/// The blocks of derivatives become rows of `a` and `b`.
+/// The blocks of derivatives become rows of `a` and `b`. No row is found by its place: where the compiler keeps the check, C could panic.
 fn linearized(begin: &TokenStream, call: &TokenStream) -> TokenStream {
     quote! {
         #begin
         let mut derivatives = kane::discrete::StepDerivatives::filled([[0.0; NU]; NU]);
         let state = (&mut *q_after, &mut *u_after);
         #call
-        let rows = |[left, right]: [[[_; NU]; NU]; 2]| {
-            core::array::from_fn(|row| [left[row], right[row]])
+        let rows = |left: &[[_; NU]; NU], right: &[[_; NU]; NU]| {
+            let mut rows = [[[0.0; NU]; 2]; NU];
+            for (row, both) in rows.iter_mut().zip(left.iter().zip(right)) {
+                *row = [*both.0, *both.1];
+            }
+            rows
         };
         a.cast::<[[[[_; NU]; 2]; NU]; 2]>().write([
-            rows([derivatives.q_by_q, derivatives.q_by_u]),
-            rows([derivatives.u_by_q, derivatives.u_by_u]),
+            rows(&derivatives.q_by_q, &derivatives.q_by_u),
+            rows(&derivatives.u_by_q, &derivatives.u_by_u),
         ]);
         b.cast::<[[[_; NU]; NU]; 2]>().write([derivatives.q_by_tau, derivatives.u_by_tau]);
     }
