@@ -42,7 +42,7 @@ pub trait System<R: Real> {
     const SPEED_BODIES: &'static [usize];
 
     /// For each of the `NB` bodies its joint: the places of its coordinates and speeds. Without it each speed is the rate of the coordinate
-    /// of its place: a system of your own that holds another one passes that one's on.
+    /// of its place. A wrapper of another system must pass on that system's `JOINTS`.
     const JOINTS: &'static [Joint] = &[];
     /// The frames of bodies that are fixed to others and part of them.
     const FRAMES: &'static [Frame] = &[];

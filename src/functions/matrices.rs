@@ -178,7 +178,9 @@ fn solve_by_rows<R: Real>(entries: &[R], places: &[[usize; 2]], b: &mut [R]) {
     }
     let mut rest = entries;
     for row in places.chunk_by(|[one, _], [other, _]| one == other) {
-        let (own, others) = rest.split_at(row.len().min(rest.len()));
+        let Some((own, others)) = rest.split_at_checked(row.len()) else {
+            return;
+        };
         rest = others;
         // A row ends with its pivot.
         let (Some((&pivot, own)), Some((&[k, last], columns))) =

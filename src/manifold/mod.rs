@@ -7,7 +7,7 @@
 //!
 //! All functions use only arithmetic of [`Real`], without branches on numbers, allocation or the platform's arc tangent. So the bits are the
 //! same everywhere, also in lanes, and the module is `no_std`. Of a model it uses [`System::JOINTS`] alone. If a system lacks this table, all
-//! its speeds count as rates of coordinates, and one with more coordinates than speeds does not compile.
+//! its speeds count as rates of coordinates, and a system with more coordinates than speeds does not compile.
 //!
 //! ```
 //! # #[cfg(feature = "cart_pole")] {
@@ -22,10 +22,10 @@
 //! ```
 
 mod angle;
+#[cfg(doctest)]
+mod needs_joints;
 pub(crate) mod rate;
 mod tangent;
-#[cfg(doctest)]
-mod told;
 pub(crate) mod turn;
 
 pub(crate) use angle::sign;
@@ -137,7 +137,7 @@ impl<R: Real, S: System<R>> Known<R, S> {
         let is_told = !S::JOINTS.is_empty();
         assert!(
             is_told || S::Q::LEN == S::U::LEN,
-            "kane: this system has more coordinates than speeds, so it needs `JOINTS`"
+            "kane: this system has not as many coordinates as speeds, so it needs `JOINTS`"
         );
         is_told
     };
@@ -156,7 +156,8 @@ const fn any_turns(joints: &[Joint]) -> bool {
 
 /// The joints whose speeds are not rates of their coordinates. Where there are none, no code remains.
 fn turnings<R: Real, S: System<R>>() -> impl Iterator<Item = TurningPlaces> {
-    let joints = if Known::<R, S>::TURNS { S::JOINTS } else { &[] };
+    let turns = Known::<R, S>::IS_TOLD && Known::<R, S>::TURNS;
+    let joints = if turns { S::JOINTS } else { &[] };
     let joints = joints.iter().enumerate();
     joints.filter_map(|(body, joint)| TurningPlaces::of(body, joint))
 }

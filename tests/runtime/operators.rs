@@ -101,4 +101,11 @@ fn what_the_lists_lack_is_no_panic() {
         solve_factored(&[2.0, 3.0], &[[0, 0], [7, 9]], order, &mut b);
         assert_eq!(b, [0.5, 2.0]);
     }
+    // Entries that end within a row: its pivot is missing.
+    let places = [[0, 0], [1, 0], [1, 1], [2, 2]];
+    for order in [[2, 1, 0], [1, 2, 0]] {
+        let mut b = [1.0, 2.0, 3.0];
+        solve_factored(&[2.0, 0.5], &places, &order, &mut b);
+        assert_eq!(b, [0.0, 2.0, 3.0], "{order:?}");
+    }
 }

@@ -464,8 +464,9 @@ fn mass_matrices_that_are_nearly_singular_are_told_by_the_speed() {
         body("middle", "[1, 0, 0]", "0", "0"),
         body("inner", "[0, 0, 1]", "2", "0.1"),
     ];
+    let frame = "[[frame]]\nname = \"tip\"\nbody = \"inner\"\nposition = [0.1, 0.2, 0.3]\n";
     let gimbals = format!(
-        "name = \"gimbals\"\nlower_bodies = [0, 1, 2]\n{}",
+        "name = \"gimbals\"\nlower_bodies = [0, 1, 2]\n{}{frame}",
         gimbals.concat()
     );
     project.write("gimbals.toml", &gimbals);
@@ -484,6 +485,7 @@ fn mass_matrices_that_are_nearly_singular_are_told_by_the_speed() {
         "mass_matrix_inverse",
         "forward_dynamics(sin_cos)",
         "d(forward_dynamics)/d(q)",
+        "operational_inverse_inertia(tip)",
     ] {
         let told = told(function, 1e-7);
         assert!(told.starts_with(said), "{function}: {told}");

@@ -287,9 +287,9 @@ fn fast_wheels_and_propellers_are_accepted() {
 
 #[test]
 fn shapes_in_millimetres_are_told_where_masses_follow_from_them() {
-    let told = |geom: &str| {
+    let told = |settings: &str, geom: &str| {
         let text = format!(
-            "<mujoco><worldbody><geom type=\"box\" size=\"900 900 9\"/><body><joint axis=\"1 0 0\"/>{geom}</body></worldbody></mujoco>"
+            "<mujoco>{settings}<worldbody><geom type=\"box\" size=\"900 900 9\"/><body><joint axis=\"1 0 0\"/>{geom}</body></worldbody></mujoco>"
         );
         let description = parse(&text, &[]);
         assert!(
@@ -301,18 +301,23 @@ fn shapes_in_millimetres_are_told_where_masses_follow_from_them() {
         let warnings = warnings.filter(|one| one.severity == Severity::Warning);
         warnings.map(|one| one.message).collect::<Vec<_>>()
     };
-    let said = told("<geom name=\"link\" type=\"box\" size=\"50 60 70\"/>");
+    let box_of = |size: &str| format!("<geom name=\"link\" type=\"box\" size=\"{size}\"/>");
+    let said = told("", &box_of("60 70 80"));
     assert_eq!(
         said,
         [
-            "geom `link` has a volume of 2e6 m³, and by its density a mass of 2e9 kg; is it in millimetres?"
+            "geom `link` has a volume of 3e6 m³, and by its density a mass of 3e9 kg; is it in millimetres?"
         ]
     );
-    // A ship, and shapes whose mass is given.
+    // The largest ship, and shapes whose mass or density is given.
+    let given = |own: &str| box_of("60 70 80").replace("/>", &format!(" {own}/>"));
     for geom in [
-        "<geom type=\"box\" size=\"180 29 20\"/>",
-        "<geom type=\"box\" size=\"50 60 70\" mass=\"1\"/>",
+        box_of("244 37 22"),
+        given("mass=\"1\""),
+        given("density=\"1e-6\""),
     ] {
-        assert_eq!(told(geom), Vec::<String>::new());
+        assert_eq!(told("", &geom), Vec::<String>::new());
     }
+    let total = "<compiler settotalmass=\"5\"/>";
+    assert!(!told(total, &box_of("60 70 80")).concat().contains("volume"));
 }

@@ -7,9 +7,8 @@ use kane_examples::{CallTimes, linkage};
 fn main() {
     let mut calls = CallTimes::default();
     for turns in [1.0, 2.0, -3.0] {
-        match linkage::run(turns, 2.0, &mut calls) {
-            Some(report) => println!("{turns} turns in 2 s: {report}"),
-            None => println!("{turns} turns: the links came into one line"),
+        if let Some(report) = linkage::run(turns, 2.0, &mut calls) {
+            println!("{turns} turns in 2 s: {report}");
         }
     }
     println!("{calls}");

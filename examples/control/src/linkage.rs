@@ -26,6 +26,8 @@ use crate::{
 const BANDWIDTH: f64 = 40.0;
 /// How fast the plant closes what rounding and integration open, 1/s.
 const CLOSING: f64 = 100.0;
+/// Twice the area of the triangle that coupler and rocker span, m², below which the law does without.
+const LEAST_AREA: f64 = 1e-6;
 /// Where the crank begins, rad.
 const START: f64 = 0.3;
 
@@ -82,12 +84,16 @@ impl Default for Controller {
 }
 
 impl Controller {
-    /// The motor's torque, N m; none where crank and coupler, or rocker and coupler, are in one line so that nothing holds the others.
+    /// The motor's torque, N m; `None` where coupler and rocker are in one line, which the crank cannot push them out of.
     pub fn torque(&self, q: &[f64; NQ], u: &[f64; NU], desired: &Desired<f64, 1>) -> Option<f64> {
         let [crank] = desired.acceleration(BANDWIDTH, &[q[0]], &[u[0]]);
         let ends = Ends::new(&self.linkage, q, u);
         let of_crank = ends.jacobian.column(0);
-        let of_others = ends.of_followers().try_inverse()?;
+        let of_followers = ends.of_followers();
+        let area = of_followers.determinant();
+        let of_others = of_followers
+            .try_inverse()
+            .filter(|_| area.abs() > LEAST_AREA)?;
         let others = of_others * -(ends.drift + of_crank * crank);
 
         let mut forces = [0.0; NU];
@@ -158,10 +164,11 @@ pub fn closed(linkage: &Prepared<f64>, crank: f64) -> Option<[f64; NQ]> {
     remaining.is_within(1e-12).then_some(q)
 }
 
-/// Turns the crank so often, in `duration`, s, from rest to rest.
+/// Turns the crank so often, in `duration`, s, from rest to rest; `None` where the law has no torque.
 pub fn run(turns: f64, duration: f64, calls: &mut CallTimes) -> Option<Report> {
     let (controller, plant) = (Controller::default(), Prepared::nominal());
-    let (mut q, mut u) = (closed(&plant, START)?, [0.0; NU]);
+    let start = closed(&plant, START).expect("linkage: it closes where the crank begins");
+    let (mut q, mut u) = (start, [0.0; NU]);
     let end = START + turns * std::f64::consts::TAU;
     let mut report = Report::default();
     for period in 0..periods(duration) {

@@ -146,6 +146,18 @@ fn derivatives(crank: f64) -> [f64; NU] {
 }
 
 #[test]
+fn no_torque_moves_coupler_and_rocker_out_of_one_line() {
+    let desired = Desired {
+        q: [0.3],
+        u: [0.0],
+        u_dot: [0.0],
+    };
+    // Both links point the same way.
+    let q = [0.3, 0.9, 1.2];
+    assert_eq!(Controller::default().torque(&q, &[0.0; NU], &desired), None);
+}
+
+#[test]
 fn its_crank_turns_as_asked_and_its_loop_stays_closed() {
     for turns in [1.0, -1.0] {
         let report = turned(turns, 2.0);

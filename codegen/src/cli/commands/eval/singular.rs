@@ -22,9 +22,12 @@ const GROWS: f64 = 1e5;
 /// How far the angle is moved, rad.
 const AWAY: f64 = 0.5;
 
-/// A pivot of the mass matrix that is such a part of its entry on the diagonal has lost twelve of sixteen digits. Pivots of different
-/// speeds have different units.
+/// A pivot of the mass matrix that is so small a part of its entry on the diagonal has lost twelve of sixteen digits. Pivots of different
+/// speeds have different units, so each is compared with its own entry.
 const CANCELLED: f64 = 1e-12;
+
+/// The most speeds with which pivots are looked at where all numbers are finite: more would take longer than the function itself.
+const MOST_SPEEDS: usize = 50;
 
 /// Says why numbers are not finite, or inaccurate.
 pub(super) fn check(
@@ -39,10 +42,11 @@ pub(super) fn check(
     if voice.is_quiet() || joints(tree, derived, inputs, voice) {
         return;
     }
+    let divides = function.solves() || function.factorises();
     // Prescribed speeds are not solved for.
     let are_all_solved = !function.prescribes() || tree.prescribed.is_empty();
-    let are_finite = numbers.iter().all(|number| number.is_finite());
-    if function.solves() && (are_all_solved || !are_finite) {
+    let may_be_inaccurate = are_all_solved && tree.n_speeds <= MOST_SPEEDS;
+    if divides && (may_be_inaccurate || numbers.iter().any(|number| !number.is_finite())) {
         pivot(plans, tree, inputs, voice);
     }
 }
@@ -146,7 +150,8 @@ fn pivot(plans: &Plans<'_>, tree: &Tree, inputs: &State, voice: Voice) {
     let speeds = tree.speed_names().into_iter();
     let mut of_speeds = speeds.zip(pivots.iter().zip(diagonal));
     // Others are NaN because of it.
-    let small = of_speeds.find(|(_, (pivot, entry))| **pivot <= CANCELLED * **entry);
+    let small =
+        of_speeds.find(|(_, (pivot, entry))| entry.is_finite() && **pivot <= CANCELLED * **entry);
     let Some((speed, (pivot, entry))) = small else {
         return;
     };

@@ -7,8 +7,7 @@ use crate::description::mjcf::placement::Placement;
 use crate::geometry::{Vector, cross, dot, of_unit_mass, scaled, sum, symmetric};
 use crate::limits::SPRING_UPDATES;
 
-/// What of a pivot is left, of the entry that it was, where the speed moves nothing that the speeds beyond it do not move alike: less is
-/// rounding.
+/// A pivot below this part of its diagonal entry is rounding: the speeds beyond it move the same alike.
 const ROUNDING: f64 = 1e-12;
 
 /// A body in the reference pose, `qpos0` of MuJoCo, behind its lower body in the list.

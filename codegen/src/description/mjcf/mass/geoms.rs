@@ -25,7 +25,10 @@ const WATER: f64 = 1000.0;
 const LEAST: f64 = 1e-14;
 
 /// What moves and has such a volume may be in millimetres, m³: the largest ships have less, and ten metres a side in millimetres are most.
-const HUGE: Range<f64> = 1e6..1e12;
+const HUGE: Range<f64> = 2e6..1e12;
+
+/// And such a mass, kg: what is lighter has a density of its own.
+const HEAVY: f64 = 1e6;
 
 /// What counts for a body.
 #[derive(Clone, Copy, Debug)]
@@ -96,6 +99,7 @@ pub(in crate::description::mjcf) fn solid(
         }
         return None;
     }
+    let has_own_mass = moves && settings.total_mass.is_none();
     let is_of_mesh = kind == GeomType::Mesh || geom.has("mesh");
     if is_of_mesh && !mass_matters {
         reader.faults.push(at_rest(geom));
@@ -104,7 +108,7 @@ pub(in crate::description::mjcf) fn solid(
     refuse_shell(reader, geom, kind);
     if is_of_mesh {
         let solid = of_mesh(reader, geom, model, around, kind, amount)?;
-        if let (true, Amount::Density(density)) = (moves, amount) {
+        if let (true, Amount::Density(density)) = (has_own_mass, amount) {
             warn_of_huge(reader, geom, amount, solid.mass / density);
         }
         return Some(solid);
@@ -114,7 +118,7 @@ pub(in crate::description::mjcf) fn solid(
     if is_too_small(reader, geom, amount, shape.volume()) {
         return None;
     }
-    if moves {
+    if has_own_mass {
         warn_of_huge(reader, geom, amount, shape.volume());
     }
     Some(shape.solid(amount, &around.then(&placement)))
@@ -178,10 +182,10 @@ fn warn_of_huge(reader: &mut Reader, geom: &Attributes<'_>, amount: Amount, volu
     let Amount::Density(density) = amount else {
         return;
     };
-    if !HUGE.contains(&volume) {
+    let mass = density * volume;
+    if !HUGE.contains(&volume) || mass < HEAVY {
         return;
     }
-    let mass = density * volume;
     let message = format!(
         "{} has a volume of {volume:.0e} m³, and by its density a mass of {mass:.0e} kg; is it in millimetres?",
         geom.owner

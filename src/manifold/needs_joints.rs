@@ -33,7 +33,7 @@ struct Told;
 
 /// Without, it does not.
 ///
-/// ```compile_fail
+/// ```compile_fail,E0080
 /// # #![allow(unused_must_use)]
 /// # struct Ball;
 /// # impl kane::System<f64> for Ball {
