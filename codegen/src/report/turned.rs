@@ -13,6 +13,9 @@ use crate::geometry;
 /// The cosine of half a right angle: an axis that turned by more is nearer to another one of its joint.
 const HALF: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
+/// What rounding may change of a cosine: an axis that turned by just the angle has not turned by more.
+const ROUNDING: f64 = 1e-9;
+
 /// Coordinates whose axes turned by more than a right angle over the body below, or by more than half of one if their joint has others
 /// of their kind. They did so in the axes of that body and in those of its joint: where one of these alone was given otherwise, no
 /// motion is another.
@@ -20,7 +23,10 @@ pub fn turned(old: &Outline, new: &Outline, differences: &Differences) -> Vec<Me
     let changed = new.bodies.iter().filter_map(|body| {
         let old_name = differences.old_name(&body.name).unwrap_or(&body.name);
         let old = old.bodies.iter().find(|own| own.name == old_name)?;
-        of_joint(old.motions.as_ref()?, body.motions.as_ref()?)
+        let (old, new) = (old.motions.as_ref()?, body.motions.as_ref()?);
+        // Axes over another body are no others: that body is told.
+        let old_base = differences.old_name(&new.base).unwrap_or(&new.base);
+        (old.base == old_base).then(|| of_joint(old, new)).flatten()
     });
     changed.collect()
 }
@@ -47,7 +53,7 @@ fn of_kind<'a>(old: &'a [Motion], new: &'a [Motion]) -> Vec<[&'a Motion; 2]> {
     let mut places = old.iter().zip(new);
     let are_same =
         old.len() == new.len() && places.all(|(old, new)| is_single || old.place == new.place);
-    let least = if is_single { 0.0 } else { HALF };
+    let least = if is_single { 0.0 } else { HALF } - ROUNDING;
     let pairs = old.iter().zip(new).filter(|(old, new)| {
         let mut axes = old.axis.into_iter().zip(new.axis);
         are_same && axes.all(|(old, new)| geometry::dot(old, new) < least)

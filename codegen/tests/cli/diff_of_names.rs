@@ -194,6 +194,34 @@ fn axes_in_which_a_lower_body_is_described_turn_no_joint() {
 }
 
 #[test]
+fn an_axis_that_turns_by_a_right_angle_at_most_keeps_its_direction() {
+    let hinge = |axis: &str| jointed(&format!("joint = \"revolute\"\naxis = {axis}"));
+    let old = hinge("[1, 0.1, 0.3]");
+    // Perpendicular, with products that rounding makes positive or negative.
+    for axis in [
+        "[-0.3, 0, 1]",
+        "[0.1, -1, 0]",
+        "[0.3, 3, -2]",
+        "[0.3, 0, -1]",
+        "[-0.1, 1, 0]",
+    ] {
+        let ran = told(&old, &hinge(axis), "toml", &["--functions", "bias"]);
+        assert!(!ran.out.contains("direction"), "{axis}: {}", ran.out);
+    }
+}
+
+#[test]
+fn axes_over_another_lower_body_are_not_compared() {
+    let hinge = |axis: &str| jointed(&format!("joint = \"revolute\"\naxis = {axis}"));
+    let (old, new) = (hinge("[0, 0, 1]"), hinge("[0, 0, -1]"));
+    let moved = new.replace("lower_bodies = [0, 1]", "lower_bodies = [0, 0]");
+    assert_ne!(moved, new);
+    let ran = told(&old, &moved, "toml", &["--functions", "bias"]);
+    assert!(!ran.out.contains("direction"), "{}", ran.out);
+    assert!(ran.out.contains("lower"), "{}", ran.out);
+}
+
+#[test]
 fn length_of_an_axis_is_no_difference() {
     let ran = edited(&[["<axis xyz=\"0 1 0\"/>", "<axis xyz=\"0 2 0\"/>"]], &[]);
     assert_eq!((ran.code, ran.out.as_str()), (0, ""));

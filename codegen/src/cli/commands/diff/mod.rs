@@ -34,9 +34,9 @@ use systems::{Snapshot, Systems};
 /// changed, and the number of changed lines; --lines adds the lines, --verbose the names of all functions in which lines changed.
 /// Changes for which code must change too come first, as BREAKING: of places or names in `q`, `u`, arrays over bodies or `Parameters`,
 /// of the entries of packed arrays or of base parameters, of a coordinate's unit or direction, of the prescribed speeds, of a function's
-/// arguments, and functions that are gone. A coordinate's direction is another if its axis turned over the lower body by more than a
-/// right angle, or, if the joint has several angles or several slides, by more than half of one: between two models or revisions,
-/// because a module does not hold axes. Axes are printed in those of the lower body. If the tree is the same but for names, what has
+/// arguments, and functions that are gone. A direction counts as changed if the axis turned over the lower body by more than 90°, or by
+/// more than 45° if the joint has several angles or slides: between two models or revisions, because a module does not hold axes. Axes
+/// are printed in those of the lower body. If the tree is the same but for names, what has
 /// another name was renamed. Warnings about the new model that the old one does not have go to standard error.
 ///
 /// Two models are generated with the same options: those of the first system that lists one of them in the `kane.toml` in the
